@@ -1,0 +1,70 @@
+#pragma once
+
+#include <setsudan/cut/rows.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * What holds the two sides of a cut together: a list of node pairs in rows,
+ * each pair tied (the sides move as one), opened (the blade keeps them its
+ * thickness apart, along the normal) or free. Before the surgery all pairs are
+ * single nodes and there is nothing to hold.
+ */
+template <int dim>
+class Seam
+{
+public:
+  enum class State
+  {
+    tied,
+    opened,
+    free
+  };
+
+  /** A seam of which all pairs are tied. */
+  Seam(const std::vector<NodePair<dim>> &pairs, const std::vector<Row> &rows);
+
+  const std::vector<NodePair<dim>> &pairs() const;
+
+  const std::vector<Row> &rows() const;
+
+  State state(const unsigned int pair) const;
+
+  void set_row_state(const unsigned int row, const State state);
+
+  void set_all_states(const State state);
+
+  /** Number of pairs with a node on each side. */
+  unsigned int n_double_pairs() const;
+
+  /**
+   * The unknowns that constraints of the seam couple, on all processes: they
+   * must be among the local lines of the constraints.
+   */
+  dealii::IndexSet
+  coupled_indices(const dealii::types::global_dof_index n_unknowns) const;
+
+  /**
+   * Add the homogeneous part of what the seam demands. Unknowns that a support
+   * holds are left alone: a support wins over a tie and over an opening.
+   */
+  void add_constraints(dealii::AffineConstraints<double> &constraints) const;
+
+  /**
+   * A displacement that has the opening of the opened pairs, and is otherwise
+   * zero: n.(u+ - u-) = thickness, by u+ alone.
+   */
+  LA::Vector opening(const Discretization<dim> &discretization,
+                     const double thickness) const;
+
+private:
+  /** The component that an opening determines: that of the largest normal. */
+  unsigned int normal_component(const unsigned int pair) const;
+
+  std::vector<NodePair<dim>> node_pairs;
+  std::vector<Row> node_rows;
+  std::vector<State> states;
+};
+} // namespace Setsudan

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <setsudan/cut/seam.h>
+#include <setsudan/elasticity/elastic_model.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/** Subsection `Yield`. */
+struct YieldParameters
+{
+  enum class Check
+  {
+    once,
+    every_row
+  };
+
+  Check check;
+
+  static void declare(dealii::ParameterHandler &handler);
+
+  explicit YieldParameters(const Parameters &parameters);
+};
+
+/** Stresses at the front row's nodes, one per element that meets there, of
+ * the elements of this process. */
+using FrontStresses = std::vector<dealii::SymmetricTensor<2, 3>>;
+
+/** @param displacement with ghosts. */
+template <int dim>
+FrontStresses front_stresses(const ElasticModel<dim> &model,
+                             const Seam<dim> &seam,
+                             const Row &row,
+                             const LA::Vector &displacement);
+
+/**
+ * The cutting stress (equation 17 of Kakefuda et al. 1996): the largest
+ * maximum shear over the elements that meet at the front row's nodes.
+ *
+ * The stress under a concentrated load is singular, so that this measure
+ * grows as elements shrink.
+ */
+double cutting_stress(const FrontStresses &stresses,
+                      const MPI_Comm communicator);
+
+/** The stress that yield requires: shear limit x (1 - sharpness), equation
+ * 18. */
+double required_stress(const double shear_limit, const double sharpness);
+
+/** Whether a row yields: its stress exceeds what is required, or nothing is. */
+bool yields(const double cutting_stress, const double required_stress);
+
+/** The load factor at which a row yields. */
+struct YieldLoad
+{
+  /** The factor, or the largest allowed one where the row does not yield. */
+  double load_factor;
+  double cutting_stress;
+  bool yields;
+};
+
+/**
+ * The smallest load factor in [0, max_load_factor] at which the front's
+ * stress, base + factor x per_load, reaches what is required. The cutting
+ * stress is convex in the factor, so that there is at most one such point
+ * beyond 0, and a bracketing root finder cannot miss it.
+ */
+YieldLoad find_yield_load(const FrontStresses &base,
+                          const FrontStresses &per_load,
+                          const double required,
+                          const double max_load_factor,
+                          const MPI_Comm communicator);
+} // namespace Setsudan

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <setsudan/body/body.h>
+#include <setsudan/body/nodes.h>
+#include <setsudan/body/supports.h>
+#include <setsudan/elasticity/linear_algebra.h>
+
+#include <array>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The finite element space of the displacement on one mesh: serendipity
+ * elements, distributed over the processes. A new one is made when the mesh
+ * is cut.
+ */
+template <int dim>
+class Discretization
+{
+public:
+  using Cell  = typename dealii::DoFHandler<dim>::active_cell_iterator;
+  using Index = dealii::types::global_dof_index;
+
+  /** The unknowns of one node: its displacement components. */
+  using NodeIndices = std::array<Index, dim>;
+
+  Discretization(const CoarseMesh<dim> &mesh, const MPI_Comm communicator);
+
+  /** The element of the body that `cell` is. */
+  unsigned int element(const Cell &cell) const;
+
+  /** The unknowns of every node of a cell, nodes in the order of nodes.h. */
+  std::array<NodeIndices, n_element_nodes<dim>>
+  node_indices(const Cell &cell) const;
+
+  /** A vector of which each process holds its own part, all zero. */
+  LA::Vector zero_vector() const;
+
+  /** A copy of `vector` that can be read on all cells this process knows. */
+  LA::Vector with_ghosts(const LA::Vector &vector) const;
+
+  /** Where an unknown of this process lies. */
+  struct Site
+  {
+    dealii::Point<dim> position;
+    unsigned int component;
+  };
+
+  /** The sites of this process's unknowns, in the order of their numbers. */
+  std::vector<Site> sites() const;
+
+  const MPI_Comm communicator;
+  const dealii::MappingQ<dim> mapping;
+  const dealii::FESystem<dim> fe;
+  dealii::parallel::distributed::Triangulation<dim> triangulation;
+  dealii::DoFHandler<dim> dof_handler;
+  dealii::IndexSet owned;
+  dealii::IndexSet relevant;
+};
+
+/** Constrain the fixed nodes, as far as this process knows them. */
+template <int dim>
+void constrain_supports(const Discretization<dim> &discretization,
+                        const Supports<dim> &supports,
+                        dealii::AffineConstraints<double> &constraints);
+} // namespace Setsudan

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+/** The matrices and vectors of the house, distributed over the processes; see
+ * deal.II's glossary on ghosted vectors. */
+namespace Setsudan::LA
+{
+using Vector       = dealii::TrilinosWrappers::MPI::Vector;
+using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
+} // namespace Setsudan::LA

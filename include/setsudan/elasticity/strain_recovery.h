@@ -1,0 +1,64 @@
+#pragma once
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <setsudan/elasticity/discretization.h>
+#include <setsudan/elasticity/material.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/** Where in a cell stress is asked for: its nodes, or its Gauss points. */
+template <int dim>
+dealii::Quadrature<dim> node_points();
+
+template <int dim>
+dealii::Quadrature<dim> gauss_points();
+
+/**
+ * Displacement gradients of a cell, and the strain and stress that follow
+ * (equations 6 and 7 of Kakefuda et al. 1996), evaluated directly where they
+ * are asked for: no extrapolation, no averaging.
+ */
+template <int dim>
+class StrainRecovery
+{
+public:
+  using Cell = typename Discretization<dim>::Cell;
+
+  StrainRecovery(const Discretization<dim> &discretization,
+                 const dealii::Quadrature<dim> &points);
+
+  /** Evaluate a displacement (with ghosts) on a cell. */
+  void reinit(const Cell &cell, const LA::Vector &displacement);
+
+  unsigned int n_points() const;
+
+  const dealii::Tensor<2, dim> &gradient(const unsigned int point) const;
+
+  dealii::SymmetricTensor<2, dim> strain(const unsigned int point) const;
+
+private:
+  dealii::FEValues<dim> fe_values;
+  std::vector<dealii::Tensor<2, dim>> gradients;
+};
+
+/** The extremes of a deformed state. */
+struct DeformationExtremes
+{
+  /** Smallest determinant of the deformation gradient, 1 at rest: not positive
+   * where the deformed body overlaps itself. At nodes and Gauss points. */
+  double min_jacobian;
+  /** Largest principal strain in magnitude, at Gauss points. */
+  double max_strain;
+  /** Largest displacement of a node. */
+  double max_displacement;
+};
+
+/** @param displacement with ghosts. */
+template <int dim>
+DeformationExtremes find_extremes(const Discretization<dim> &discretization,
+                                  const LA::Vector &displacement);
+} // namespace Setsudan

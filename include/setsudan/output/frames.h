@@ -1,0 +1,47 @@
+#pragma once
+
+#include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/output/output_directory.h>
+
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** What a cell of the body is called in a frame, one value per element. */
+struct ElementLabels
+{
+  /** The side of the newest cut: -1, +1, or 0 where it does not reach. */
+  std::vector<int> side;
+  /** The separate body it belongs to. */
+  std::vector<unsigned int> piece;
+};
+
+/**
+ * Writes solved states as frame_NNNN.vtu (or, over several processes, as
+ * frame_NNNN.pvtu with one .vtu file each), and the sequence as cut.pvd.
+ */
+template <int dim>
+class FrameWriter
+{
+public:
+  /** @param directory must live as long as the writer. */
+  explicit FrameWriter(const OutputDirectory &directory);
+
+  /**
+   * Write a frame: displacement, stress, maximum shear, side and piece, on
+   * quadratic cells. Called by all processes.
+   *
+   * @param displacement with ghosts.
+   */
+  void write(const unsigned int frame,
+             const ElasticModel<dim> &model,
+             const LA::Vector &displacement,
+             const ElementLabels &labels);
+
+private:
+  const OutputDirectory &directory;
+  /** Frame numbers, which are the times in ParaView, and file names. */
+  std::vector<std::pair<double, std::string>> sequence;
+};
+} // namespace Setsudan

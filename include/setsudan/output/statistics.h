@@ -1,0 +1,48 @@
+#pragma once
+
+#include <setsudan/output/output_directory.h>
+
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** One event of a run, a line of statistics.csv; stresses, forces and lengths
+ * in the scene's units. */
+struct Event
+{
+  /** The solved state that the line describes, counted from 0. */
+  unsigned int frame = 0;
+  /** rest, deform, yield, release, arrest or divide. */
+  std::string name = "rest";
+  unsigned int cut = 0;
+  unsigned int row = 0;
+  /** Rows of this cut that are split. */
+  unsigned int released_rows = 0;
+  /** The front row's coordinate along the blade's direction from the entry. */
+  double depth            = 0;
+  double load_factor      = 0;
+  double blade_force      = 0;
+  double cutting_stress   = 0;
+  double required_stress  = 0;
+  double strain_energy    = 0;
+  double potential_energy = 0;
+  double max_displacement = 0;
+  double force_residual   = 0;
+  double moment_residual  = 0;
+  double min_jacobian     = 1;
+  unsigned int pieces     = 1;
+  double seconds          = 0;
+  double max_strain       = 0;
+};
+
+/** The table statistics.csv, which is rewritten as a whole for every event. */
+class Statistics
+{
+public:
+  void add(const Event &event, const OutputDirectory &directory);
+
+private:
+  std::string table;
+};
+} // namespace Setsudan

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** What is wrong with a scene or with a run, in one message for the user. */
+class SceneError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** One line `set name = value` of a scene file, or one `--set` option. */
+struct SceneEntry
+{
+  /** Names of the enclosing subsections, joined by '/'; empty at the top. */
+  std::string subsection;
+  std::string name;
+  std::string value;
+  /** Where it was written, for messages: `cut.prm:12` or `--set`. */
+  std::string location;
+};
+
+/**
+ * Read a scene file in deal.II's parameter syntax: `subsection`, `set`, `end`,
+ * comments after '#', lines continued by a final '\', and `include FILE`
+ * (relative to the including file).
+ *
+ * dealii::ParameterHandler reads the same syntax but forgets the lines, which
+ * every message of a later check needs; so the lines are read here and handed
+ * to it one by one (see Parameters).
+ *
+ * @throw SceneError where the file cannot be read or its syntax is wrong.
+ */
+std::vector<SceneEntry> read_scene_file(const std::string &file_name);
+
+/**
+ * The entry that the command line option `--set Subsection/Name=value` stands
+ * for; a parameter outside all subsections is `Name=value`.
+ *
+ * @throw SceneError where there is no '='.
+ */
+SceneEntry parse_assignment(const std::string &assignment);
+} // namespace Setsudan

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <setsudan/output/statistics.h>
+#include <setsudan/simulation/cut_body.h>
+#include <setsudan/solver/equilibrium.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/** The blade on a row: its nodal forces at load factor 1, and the forces where
+ * the scene puts them. */
+template <int dim>
+struct BladeLoad
+{
+  LA::Vector nodal_forces;
+  std::vector<PointForce<dim>> forces;
+};
+
+/** No blade: all forces zero. */
+template <int dim>
+BladeLoad<dim> no_blade(const CutBody<dim> &body);
+
+/** The blade on the front of a row of the newest cut. */
+template <int dim>
+BladeLoad<dim> blade_on_row(const Scene<dim> &scene,
+                            const CutBody<dim> &body,
+                            const unsigned int row);
+
+/** A solved state of the body. */
+template <int dim>
+struct State
+{
+  /** Without ghosts. */
+  LA::Vector displacement;
+  /** The part of it that the blade's thickness prescribes. */
+  LA::Vector opening;
+  /** All nodal forces. */
+  LA::Vector forces;
+  double load_factor    = 0;
+  double cutting_stress = 0;
+  /** Whether the front row yields; set where it is asked for. */
+  bool yields = false;
+};
+
+/** The undeformed body, on the present mesh. */
+template <int dim>
+State<dim> rest_state(const CutBody<dim> &body);
+
+/**
+ * Solve for the body under its loads and `load_factor` times the blade.
+ *
+ * @param guess a displacement near the solution.
+ */
+template <int dim>
+State<dim> solve_state(const Scene<dim> &scene,
+                       CutBody<dim> &body,
+                       const BladeLoad<dim> &blade,
+                       const double load_factor,
+                       const LA::Vector &guess,
+                       LinearSolver &solver);
+
+/** Solve for the smallest load factor at which a row yields, or the largest
+ * allowed one where it does not. The load enters linearly: two solves. */
+template <int dim>
+State<dim> solve_ramp(const Scene<dim> &scene,
+                      CutBody<dim> &body,
+                      const BladeLoad<dim> &blade,
+                      const unsigned int row,
+                      LinearSolver &solver);
+
+/** Set the cutting stress of a state that solve_state() made, and whether the
+ * row yields. */
+template <int dim>
+void judge(const Scene<dim> &scene,
+           const CutBody<dim> &body,
+           const unsigned int row,
+           State<dim> &state);
+
+/**
+ * Fill the columns of a state: energies, residuals, extremes.
+ *
+ * @throw SolverError where forces or moments are not in balance.
+ */
+template <int dim>
+void describe_state(const Scene<dim> &scene,
+                    CutBody<dim> &body,
+                    const BladeLoad<dim> &blade,
+                    const State<dim> &state,
+                    Event &event);
+
+/**
+ * Assert that letting go of constraints has not raised the potential energy
+ * under the new state's forces, apart from the work that the blade's thickness
+ * has done in wedging the row open:
+ *   E(before) + (forces of the wedge) . (new opening) >= E(after).
+ * It follows from `after` being the minimum of E over a larger set.
+ *
+ * @throw SolverError with the numbers where it does not hold.
+ */
+template <int dim>
+void check_energy_of_split(CutBody<dim> &body,
+                           const State<dim> &before,
+                           const State<dim> &after);
+} // namespace Setsudan

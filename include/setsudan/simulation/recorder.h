@@ -1,0 +1,59 @@
+#pragma once
+
+#include <setsudan/output/frames.h>
+#include <setsudan/output/output_directory.h>
+#include <setsudan/output/progress.h>
+#include <setsudan/output/statistics.h>
+#include <setsudan/simulation/cut_body.h>
+#include <setsudan/simulation/mechanics.h>
+
+#include <string>
+
+namespace Setsudan
+{
+/** Keeps the record of a run: the table of events, frames, node tables, the
+ * pieces, and what is said on the way. */
+template <int dim>
+class Recorder
+{
+public:
+  Recorder(const Scene<dim> &scene,
+           const Parameters &parameters,
+           const MPI_Comm communicator);
+
+  /** Add an event of the present state to the statistics. */
+  void record(const std::string &name, const Event &event);
+
+  /**
+   * Write a solved state, as far as the scene asks for it. `is_stage` marks
+   * the states that tell the story of a cut in few pictures.
+   */
+  void write_state(const CutBody<dim> &body,
+                   const State<dim> &state,
+                   const unsigned int frame,
+                   const bool is_stage);
+
+  /** Write the pieces of the body as bodies of their own.
+   *
+   * @throw std::runtime_error where volume has been lost. */
+  void write_pieces(const CutBody<dim> &body);
+
+  /** Warn, once each, where a linear solution has left its range. */
+  void warn_of_range(const Event &event);
+
+  /** Say where the cut stands. */
+  void show_row(const Event &event, const unsigned int n_rows);
+
+  Progress progress;
+
+private:
+  const Scene<dim> &scene;
+  const OutputDirectory directory;
+  const bool is_first_process;
+  FrameWriter<dim> frames;
+  Statistics statistics;
+  bool warned_of_strain   = false;
+  bool warned_of_jacobian = false;
+  double cut_began        = 0;
+};
+} // namespace Setsudan

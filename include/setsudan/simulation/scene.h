@@ -1,0 +1,47 @@
+#pragma once
+
+#include <setsudan/body/body.h>
+#include <setsudan/body/supports.h>
+#include <setsudan/cut/blade.h>
+#include <setsudan/cut/cut_surface.h>
+#include <setsudan/cut/rows.h>
+#include <setsudan/cut/yield_criterion.h>
+#include <setsudan/elasticity/loads.h>
+#include <setsudan/elasticity/material.h>
+#include <setsudan/output/output_directory.h>
+#include <setsudan/solver/solver_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** The dimension that a scene file asks for: 2 or 3.
+ *
+ * @throw SceneError where it asks for another. */
+unsigned int scene_dimension(const std::vector<SceneEntry> &entries);
+
+/** Everything a run needs to know: the parameters of all rooms, checked one by
+ * one and against each other. */
+template <int dim>
+struct Scene
+{
+  static void declare(dealii::ParameterHandler &handler);
+
+  /** @throw SceneError for what is not possible. */
+  explicit Scene(const Parameters &parameters);
+
+  const std::string length_unit;
+  const std::string force_unit;
+  const Body<dim> body;
+  const Supports<dim> supports;
+  const LoadParameters<dim> loads;
+  const MaterialParameters material;
+  const BladeParameters<dim> blade;
+  const CutParameters<dim> cut;
+  const YieldParameters yield;
+  const DivisionParameters division;
+  const SolverParameters solver;
+  const OutputParameters output;
+};
+} // namespace Setsudan

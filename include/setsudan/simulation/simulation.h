@@ -1,0 +1,60 @@
+#pragma once
+
+#include <setsudan/simulation/cut_body.h>
+#include <setsudan/simulation/mechanics.h>
+#include <setsudan/simulation/recorder.h>
+
+#include <memory>
+
+namespace Setsudan
+{
+/** A run of a scene: the body deforms under the blade, yields, and is divided
+ * row by row (section 2 of Kakefuda et al. 1996). */
+template <int dim>
+class Simulation
+{
+public:
+  /** @param scene and `parameters`, which it was read from, must live as long.
+   *
+   * @throw SceneError where the output directory cannot be written. */
+  Simulation(const Scene<dim> &scene,
+             const Parameters &parameters,
+             const MPI_Comm communicator);
+
+  /** @throw SolverError or std::runtime_error where the run cannot go on. */
+  void run();
+
+private:
+  /** Make one cut; the answer is whether it went through. */
+  bool make_cut(const unsigned int cut);
+
+  void rest();
+
+  void deform_only();
+
+  void approach(const unsigned int cut);
+
+  void deform(const unsigned int row);
+
+  bool row_yields(const unsigned int row);
+
+  void arrest();
+
+  void open();
+
+  void release(const unsigned int row);
+
+  void divide();
+
+  /** Take a solved state, and check what must hold from the last to it. */
+  void accept(State<dim> &&new_state, const BladeLoad<dim> &blade);
+
+  const Scene<dim> &scene;
+  Recorder<dim> recorder;
+  CutBody<dim> body;
+  std::unique_ptr<LinearSolver> solver;
+  State<dim> state;
+  Event event;
+  unsigned int n_frames = 1;
+};
+} // namespace Setsudan

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/solver/linear_solver.h>
+
+namespace Setsudan
+{
+/**
+ * The body's equilibrium for one set of constraints: the assembled and
+ * prepared matrix, which any number of loads are solved with.
+ */
+template <int dim>
+class Equilibrium
+{
+public:
+  /**
+   * @param constraints homogeneous and closed. Their local lines name every
+   * unknown that a constraint of this process couples.
+   */
+  Equilibrium(ElasticModel<dim> &model,
+              const dealii::AffineConstraints<double> &constraints,
+              LinearSolver &solver);
+
+  /**
+   * The displacement under nodal forces.
+   *
+   * @param forces      without ghosts, no constraint applied.
+   * @param prescribed  any displacement that obeys what is prescribed (the
+   *   opening of a cut) besides the homogeneous constraints.
+   * @param guess       a displacement near the solution.
+   * @throw SolverError where the solver fails or its result does not fulfil
+   *   the equations.
+   */
+  LA::Vector solve(const LA::Vector &forces,
+                   const LA::Vector &prescribed,
+                   const LA::Vector &guess);
+
+private:
+  /** The forces on the unconstrained unknowns. */
+  LA::Vector condense(const LA::Vector &forces) const;
+
+  ElasticModel<dim> &model;
+  const dealii::AffineConstraints<double> &constraints;
+  LinearSolver &solver;
+  LA::SparseMatrix matrix;
+};
+} // namespace Setsudan

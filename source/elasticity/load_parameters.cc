@@ -1,0 +1,147 @@
+#include <setsudan/elasticity/loads.h>
+#include <setsudan/parameters/lists.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+void
+LoadParameters<dim>::declare(ParameterHandler &handler)
+{
+  const std::string components = dim == 3 ? "0, 0, -1" : "0, -1";
+  Setsudan::declare(handler,
+                    "Load",
+                    "Body force",
+                    "",
+                    Patterns::List(Patterns::Double()),
+                    "Force per volume, such as the weight " + components +
+                      " [force/volume].");
+  Setsudan::declare(handler,
+                    "Load",
+                    "Pressures",
+                    "",
+                    Patterns::Anything(),
+                    "Pressures on faces of the body, positive into it, as "
+                    "'face : pressure', separated by ';' [force/area].");
+  Setsudan::declare(handler,
+                    "Load",
+                    "Tractions",
+                    "",
+                    Patterns::Anything(),
+                    "Forces per area on faces, as 'face : " + components +
+                      "', separated by ';' [force/area].");
+  Setsudan::declare(handler,
+                    "Load",
+                    "Nodal forces",
+                    "",
+                    Patterns::Anything(),
+                    "Forces on nodes, as 'node number : " + components +
+                      "', separated by ';' [force].");
+}
+
+
+
+namespace
+{
+/**
+ * The items `key : n numbers` of a list in subsection Load.
+ *
+ * @throw SceneError where an item is not of that form, or a key stands twice.
+ */
+std::map<std::string, std::vector<double>>
+read_items(const Parameters &parameters,
+           const std::string &name,
+           const unsigned int n,
+           const std::string &allowed)
+{
+  std::map<std::string, std::vector<double>> items;
+  for (const auto &[key, text] :
+       split_items(parameters.text("Load", name), ';'))
+    {
+      std::vector<double> values;
+      const bool valid = parse_numbers(text, values) && values.size() == n;
+      parameters.require(valid && items.emplace(key, values).second,
+                         "Load",
+                         name,
+                         allowed + ", each once, separated by ';'");
+    }
+  return items;
+}
+
+
+
+template <int dim>
+Tensor<1, dim>
+to_tensor(const std::vector<double> &values)
+{
+  Tensor<1, dim> tensor;
+  for (unsigned int d = 0; d < dim; ++d)
+    tensor[d] = values[d];
+  return tensor;
+}
+
+
+
+template <int dim>
+types::boundary_id
+face_of(const Parameters &parameters,
+        const std::string &name,
+        const std::string &face)
+{
+  types::boundary_id id;
+  parameters.require(find_face<dim>(face, id),
+                     "Load",
+                     name,
+                     "values for the faces " + face_names<dim>());
+  return id;
+}
+} // namespace
+
+
+template <int dim>
+LoadParameters<dim>::LoadParameters(const Parameters &parameters,
+                                    const Body<dim> &body)
+{
+  const std::string components = std::to_string(dim) + " components";
+  if (!parameters.text("Load", "Body force").empty())
+    body_force = to_tensor<dim>(parameters.numbers("Load", "Body force", dim));
+  for (const auto &[face, values] :
+       read_items(parameters, "Pressures", 1, "'face : pressure'"))
+    pressures[face_of<dim>(parameters, "Pressures", face)] = values[0];
+  for (const auto &[face, values] :
+       read_items(parameters, "Tractions", dim, "'face : " + components + "'"))
+    tractions[face_of<dim>(parameters, "Tractions", face)] =
+      to_tensor<dim>(values);
+  for (const auto &[node, values] : read_items(
+         parameters, "Nodal forces", dim, "'node number : " + components + "'"))
+    {
+      std::vector<double> number;
+      parameters.require(parse_numbers(node, number) && number.size() == 1 &&
+                           number[0] >= 0 &&
+                           number[0] < body.numbering.n_nodes() &&
+                           number[0] == static_cast<unsigned int>(number[0]),
+                         "Load",
+                         "Nodal forces",
+                         "forces on node numbers from 0 to " +
+                           std::to_string(body.numbering.n_nodes() - 1));
+      nodal_forces[static_cast<unsigned int>(number[0])] =
+        to_tensor<dim>(values);
+    }
+}
+
+
+
+template <int dim>
+bool
+LoadParameters<dim>::empty() const
+{
+  return body_force == Force() && pressures.empty() && tractions.empty() &&
+         nodal_forces.empty();
+}
+
+
+
+template struct LoadParameters<2>;
+template struct LoadParameters<3>;
+} // namespace Setsudan

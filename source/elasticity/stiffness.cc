@@ -1,0 +1,182 @@
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/vector.h>
+
+#include <setsudan/elasticity/stiffness.h>
+
+#include <limits>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+ElementStiffness<dim>::ElementStiffness(
+  const Discretization<dim> &discretization,
+  const Hooke &material)
+  : material(material)
+  , fe_values(discretization.mapping,
+              discretization.fe,
+              QGauss<dim>(3),
+              update_gradients | update_JxW_values)
+  , matrix(discretization.fe.n_dofs_per_cell())
+{
+}
+
+
+
+template <int dim>
+const FullMatrix<double> &
+ElementStiffness<dim>::operator()(const Cell &cell)
+{
+  if (!has_last_shape(cell))
+    integrate(cell);
+  return matrix;
+}
+
+
+
+template <int dim>
+unsigned int
+ElementStiffness<dim>::n_integrations() const
+{
+  return integrations;
+}
+
+
+
+template <int dim>
+bool
+ElementStiffness<dim>::has_last_shape(const Cell &cell) const
+{
+  if (last_shape.empty())
+    return false;
+  // The cells of a box differ by the round-off of their vertices' coordinates.
+  const double tolerance = 16 * std::numeric_limits<double>::epsilon() *
+                           (cell->vertex(0).norm() + cell->diameter());
+  for (const unsigned int v : cell->vertex_indices())
+    if ((cell->vertex(v) - cell->vertex(0) - last_shape[v]).norm() > tolerance)
+      return false;
+  return true;
+}
+
+
+
+template <int dim>
+void
+ElementStiffness<dim>::integrate(const Cell &cell)
+{
+  const FEValuesExtractors::Vector displacement(0);
+  const unsigned int n = matrix.m();
+  std::vector<SymmetricTensor<2, dim>> strain(n);
+  std::vector<double> divergence(n);
+
+  fe_values.reinit(cell);
+  matrix = 0;
+  for (const unsigned int q : fe_values.quadrature_point_indices())
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          strain[i]     = fe_values[displacement].symmetric_gradient(i, q);
+          divergence[i] = trace(strain[i]);
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          matrix(i, j) += (material.lambda * divergence[i] * divergence[j] +
+                           2 * material.mu * (strain[i] * strain[j])) *
+                          fe_values.JxW(q);
+    }
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+      matrix(j, i) = matrix(i, j);
+
+  last_shape.resize(cell->n_vertices());
+  for (const unsigned int v : cell->vertex_indices())
+    last_shape[v] = cell->vertex(v) - cell->vertex(0);
+  ++integrations;
+}
+
+
+
+template <int dim>
+LA::Vector
+internal_forces(const Discretization<dim> &discretization,
+                ElementStiffness<dim> &stiffness,
+                const LA::Vector &displacement)
+{
+  const unsigned int n = discretization.fe.n_dofs_per_cell();
+  dealii::Vector<double> cell_displacement(n), cell_forces(n);
+  std::vector<types::global_dof_index> indices(n);
+  LA::Vector forces = discretization.zero_vector();
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        cell->get_dof_indices(indices);
+        displacement.extract_subvector_to(
+          indices.begin(), indices.end(), cell_displacement.begin());
+        stiffness(cell).vmult(cell_forces, cell_displacement);
+        forces.add(indices, cell_forces);
+      }
+  forces.compress(VectorOperation::add);
+  return forces;
+}
+
+
+
+template <int dim>
+void
+assemble_stiffness(const Discretization<dim> &discretization,
+                   ElementStiffness<dim> &stiffness,
+                   const AffineConstraints<double> &constraints,
+                   LA::SparseMatrix &matrix)
+{
+  const IndexSet &owned       = discretization.owned;
+  const MPI_Comm communicator = discretization.communicator;
+
+  // The pattern has a row for all that a constraint of this process names:
+  // with fewer, entries are lost without a word.
+  const IndexSet &rows = constraints.get_local_lines();
+  DynamicSparsityPattern pattern(rows);
+  DoFTools::make_sparsity_pattern(
+    discretization.dof_handler,
+    pattern,
+    constraints,
+    false,
+    discretization.triangulation.locally_owned_subdomain());
+  SparsityTools::distribute_sparsity_pattern(
+    pattern, owned, communicator, rows);
+  matrix.reinit(owned, owned, pattern, communicator);
+
+  std::vector<types::global_dof_index> indices(
+    discretization.fe.n_dofs_per_cell());
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        cell->get_dof_indices(indices);
+        constraints.distribute_local_to_global(
+          stiffness(cell), indices, matrix);
+      }
+  matrix.compress(VectorOperation::add);
+}
+
+
+
+template class ElementStiffness<2>;
+template class ElementStiffness<3>;
+template LA::Vector internal_forces(const Discretization<2> &,
+                                    ElementStiffness<2> &,
+                                    const LA::Vector &);
+template LA::Vector internal_forces(const Discretization<3> &,
+                                    ElementStiffness<3> &,
+                                    const LA::Vector &);
+template void assemble_stiffness(const Discretization<2> &,
+                                 ElementStiffness<2> &,
+                                 const AffineConstraints<double> &,
+                                 LA::SparseMatrix &);
+template void assemble_stiffness(const Discretization<3> &,
+                                 ElementStiffness<3> &,
+                                 const AffineConstraints<double> &,
+                                 LA::SparseMatrix &);
+} // namespace Setsudan

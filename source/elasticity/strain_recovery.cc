@@ -1,0 +1,147 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <setsudan/elasticity/strain_recovery.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+Quadrature<dim>
+node_points()
+{
+  std::vector<Point<dim>> points;
+  for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+    points.push_back(unit_point_of_node<dim>(node));
+  return Quadrature<dim>(points);
+}
+
+
+
+template <int dim>
+Quadrature<dim>
+gauss_points()
+{
+  return QGauss<dim>(3);
+}
+
+
+
+template <int dim>
+StrainRecovery<dim>::StrainRecovery(const Discretization<dim> &discretization,
+                                    const Quadrature<dim> &points)
+  : fe_values(discretization.mapping,
+              discretization.fe,
+              points,
+              update_gradients)
+  , gradients(points.size())
+{
+}
+
+
+
+template <int dim>
+void
+StrainRecovery<dim>::reinit(const Cell &cell, const LA::Vector &displacement)
+{
+  fe_values.reinit(cell);
+  fe_values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement,
+                                                                  gradients);
+}
+
+
+
+template <int dim>
+unsigned int
+StrainRecovery<dim>::n_points() const
+{
+  return gradients.size();
+}
+
+
+
+template <int dim>
+const Tensor<2, dim> &
+StrainRecovery<dim>::gradient(const unsigned int point) const
+{
+  return gradients[point];
+}
+
+
+
+template <int dim>
+SymmetricTensor<2, dim>
+StrainRecovery<dim>::strain(const unsigned int point) const
+{
+  return symmetrize(gradients[point]);
+}
+
+
+
+namespace
+{
+/** Lower `min_jacobian` to the smallest determinant on the cell. */
+template <int dim>
+void
+find_min_jacobian(const StrainRecovery<dim> &recovery, double &min_jacobian)
+{
+  for (unsigned int p = 0; p < recovery.n_points(); ++p)
+    min_jacobian = std::min(
+      min_jacobian,
+      determinant(unit_symmetric_tensor<dim>() + recovery.gradient(p)));
+}
+} // namespace
+
+
+template <int dim>
+DeformationExtremes
+find_extremes(const Discretization<dim> &discretization,
+              const LA::Vector &displacement)
+{
+  StrainRecovery<dim> at_nodes(discretization, node_points<dim>());
+  StrainRecovery<dim> at_gauss_points(discretization, gauss_points<dim>());
+  DeformationExtremes extremes{std::numeric_limits<double>::max(), 0, 0};
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        at_nodes.reinit(cell, displacement);
+        at_gauss_points.reinit(cell, displacement);
+        find_min_jacobian(at_nodes, extremes.min_jacobian);
+        find_min_jacobian(at_gauss_points, extremes.min_jacobian);
+        for (unsigned int p = 0; p < at_gauss_points.n_points(); ++p)
+          for (const double principal : eigenvalues(at_gauss_points.strain(p)))
+            extremes.max_strain =
+              std::max(extremes.max_strain, std::abs(principal));
+        for (const auto &node : discretization.node_indices(cell))
+          {
+            Tensor<1, dim> u;
+            for (unsigned int c = 0; c < dim; ++c)
+              u[c] = displacement(node[c]);
+            extremes.max_displacement =
+              std::max(extremes.max_displacement, u.norm());
+          }
+      }
+  const MPI_Comm communicator = discretization.communicator;
+  return {Utilities::MPI::min(extremes.min_jacobian, communicator),
+          Utilities::MPI::max(extremes.max_strain, communicator),
+          Utilities::MPI::max(extremes.max_displacement, communicator)};
+}
+
+
+
+template Quadrature<2> node_points();
+template Quadrature<3> node_points();
+template Quadrature<2> gauss_points();
+template Quadrature<3> gauss_points();
+template class StrainRecovery<2>;
+template class StrainRecovery<3>;
+template DeformationExtremes find_extremes(const Discretization<2> &,
+                                           const LA::Vector &);
+template DeformationExtremes find_extremes(const Discretization<3> &,
+                                           const LA::Vector &);
+} // namespace Setsudan

@@ -1,0 +1,159 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <setsudan/output/frames.h>
+
+#include <ostream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+/** Stress and maximum shear of each cell, for ParaView. */
+template <int dim>
+class StressPostprocessor : public DataPostprocessor<dim>
+{
+public:
+  explicit StressPostprocessor(const Hooke &material)
+    : material(material)
+  {
+  }
+
+  void evaluate_vector_field(
+    const DataPostprocessorInputs::Vector<dim> &inputs,
+    std::vector<dealii::Vector<double>> &values) const override
+  {
+    for (unsigned int p = 0; p < values.size(); ++p)
+      {
+        Tensor<2, dim> gradient;
+        for (unsigned int d = 0; d < dim; ++d)
+          gradient[d] = inputs.solution_gradients[p][d];
+        const auto stress = material.stress(symmetrize(gradient));
+        unsigned int n    = 0;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            values[p](n++) = stress[i][j];
+        values[p](n++) = maximum_shear(stress);
+        values[p](n)   = stress[2][2];
+      }
+  }
+
+  std::vector<std::string> get_names() const override
+  {
+    std::vector<std::string> names(dim * dim, "stress");
+    names.push_back("maximum_shear");
+    names.push_back("stress_zz");
+    return names;
+  }
+
+  std::vector<DataComponentInterpretation::DataComponentInterpretation>
+  get_data_component_interpretation() const override
+  {
+    std::vector<DataComponentInterpretation::DataComponentInterpretation>
+      interpretation(dim * dim,
+                     DataComponentInterpretation::component_is_part_of_tensor);
+    interpretation.resize(dim * dim + 2,
+                          DataComponentInterpretation::component_is_scalar);
+    return interpretation;
+  }
+
+  UpdateFlags get_needed_update_flags() const override
+  {
+    return update_gradients;
+  }
+
+private:
+  const Hooke material;
+};
+
+
+template <int dim>
+dealii::Vector<float>
+cell_data(const Discretization<dim> &discretization,
+          const std::function<float(unsigned int)> &value_of_element)
+{
+  dealii::Vector<float> data(discretization.triangulation.n_active_cells());
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      data(cell->active_cell_index()) =
+        value_of_element(discretization.element(cell));
+  return data;
+}
+} // namespace
+
+
+template <int dim>
+FrameWriter<dim>::FrameWriter(const OutputDirectory &directory)
+  : directory(directory)
+{
+}
+
+
+
+template <int dim>
+void
+FrameWriter<dim>::write(const unsigned int frame,
+                        const ElasticModel<dim> &model,
+                        const LA::Vector &displacement,
+                        const ElementLabels &labels)
+{
+  const auto &discretization = model.discretization;
+  const StressPostprocessor<dim> stress(model.material);
+  const auto side = cell_data<dim>(
+    discretization, [&](const unsigned int e) { return labels.side[e]; });
+  const auto piece = cell_data<dim>(
+    discretization, [&](const unsigned int e) { return labels.piece[e]; });
+
+  DataOut<dim> data_out;
+  data_out.attach_dof_handler(discretization.dof_handler);
+  data_out.add_data_vector(
+    displacement,
+    std::vector<std::string>(dim, "displacement"),
+    DataOut<dim>::type_dof_data,
+    std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+      dim, DataComponentInterpretation::component_is_part_of_vector));
+  data_out.add_data_vector(displacement, stress);
+  data_out.add_data_vector(side, "side", DataOut<dim>::type_cell_data);
+  data_out.add_data_vector(piece, "piece", DataOut<dim>::type_cell_data);
+  DataOutBase::VtkFlags flags;
+  flags.write_higher_order_cells = true;
+  data_out.set_flags(flags);
+  data_out.build_patches(
+    discretization.mapping, 2, DataOut<dim>::curved_inner_cells);
+
+  const MPI_Comm communicator = discretization.communicator;
+  const unsigned int rank     = Utilities::MPI::this_mpi_process(communicator);
+  const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
+  const std::string base      = "frame_" + Utilities::to_string(frame, 4);
+  const auto name_of_rank     = [&](const unsigned int r) {
+    return n_ranks == 1 ? base + ".vtu"
+                            : base + "." + std::to_string(r) + ".vtu";
+  };
+  directory.write(name_of_rank(rank),
+                  [&](std::ostream &out) { data_out.write_vtu(out); });
+  sequence.emplace_back(frame, base + (n_ranks == 1 ? ".vtu" : ".pvtu"));
+  if (rank > 0)
+    return;
+  if (n_ranks > 1)
+    {
+      std::vector<std::string> names;
+      for (unsigned int r = 0; r < n_ranks; ++r)
+        names.push_back(name_of_rank(r));
+      directory.write(base + ".pvtu", [&](std::ostream &out) {
+        data_out.write_pvtu_record(out, names);
+      });
+    }
+  directory.write("cut.pvd", [&](std::ostream &out) {
+    DataOutBase::write_pvd_record(out, sequence);
+  });
+}
+
+
+
+template class FrameWriter<2>;
+template class FrameWriter<3>;
+} // namespace Setsudan

@@ -1,0 +1,145 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/output/output_directory.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+namespace Setsudan
+{
+using namespace dealii;
+namespace fs = std::filesystem;
+
+void
+OutputParameters::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Output",
+                    "Directory",
+                    "results/cut",
+                    Patterns::Anything(),
+                    "Where the results go, relative to where the program is "
+                    "started. Those of an earlier run there are replaced.");
+  Setsudan::declare(handler,
+                    "Output",
+                    "Frames",
+                    "every row",
+                    Patterns::Selection("every row|stages|none"),
+                    "Which solved states are written for ParaView: every row; "
+                    "stages (the body at rest, the first deformation of each "
+                    "cut, its last row or its arrest, and the pieces); or "
+                    "none.");
+  Setsudan::declare(handler,
+                    "Output",
+                    "Node tables",
+                    "false",
+                    Patterns::Bool(),
+                    "Write every solved state as a table of its nodes too.");
+}
+
+
+
+OutputParameters::OutputParameters(const Parameters &parameters)
+  : directory(parameters.text("Output", "Directory"))
+  , node_tables(parameters.truth("Output", "Node tables"))
+{
+  const std::string name = parameters.text("Output", "Frames");
+  frames                 = name == "every row" ? Frames::every_row
+                           : name == "stages"  ? Frames::stages
+                                               : Frames::none;
+  parameters.require(
+    !directory.empty(), "Output", "Directory", "the name of a directory");
+}
+
+
+
+namespace
+{
+const std::string temporary_prefix = ".writing-";
+
+/** Make `path` a directory one can write to, without the files of an earlier
+ * run; the answer is what stands in the way. */
+std::string
+prepare_directory(const fs::path &path)
+{
+  const std::regex results(
+    R"(parameters\.prm|cut\.pvd|statistics\.csv|nodes_\d+\.csv|)"
+    R"(frame_\d+(\.\d+)?\.p?vtu|piece_\d+\.(msh|vtu)|\.writing-.*)");
+  try
+    {
+      fs::create_directories(path);
+      const fs::path probe = path / (temporary_prefix + "probe");
+      errno                = 0;
+      if (!(std::ofstream(probe) << "probe" << std::flush))
+        return std::strerror(errno);
+      fs::remove(probe);
+      for (const auto &entry : fs::directory_iterator(path))
+        if (entry.is_regular_file() &&
+            std::regex_match(entry.path().filename().string(), results))
+          fs::remove(entry.path());
+    }
+  catch (const fs::filesystem_error &error)
+    {
+      return error.code().message();
+    }
+  return "";
+}
+} // namespace
+
+
+OutputDirectory::OutputDirectory(const std::string &path,
+                                 const MPI_Comm communicator)
+  : path(path)
+{
+  std::string problem;
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    problem = prepare_directory(path);
+  problem = Utilities::MPI::broadcast(communicator, problem);
+  if (!problem.empty())
+    throw SceneError("The output directory '" + path +
+                     "' cannot be written: " + problem +
+                     ". Choose another with Output/Directory or --output.");
+}
+
+
+
+void
+OutputDirectory::write(
+  const std::string &name,
+  const std::function<void(std::ostream &)> &write_to) const
+{
+  write_file(name, [&](const std::string &file_name) {
+    errno = 0;
+    std::ofstream stream(file_name);
+    write_to(stream);
+    stream.close();
+    if (!stream)
+      throw std::runtime_error(std::strerror(errno));
+  });
+}
+
+
+
+void
+OutputDirectory::write_file(
+  const std::string &name,
+  const std::function<void(const std::string &)> &write_to) const
+{
+  const fs::path temporary = fs::path(path) / (temporary_prefix + name);
+  try
+    {
+      write_to(temporary.string());
+      fs::rename(temporary, fs::path(path) / name);
+    }
+  catch (const std::exception &error)
+    {
+      std::error_code ignored;
+      fs::remove(temporary, ignored);
+      throw std::runtime_error("The file '" + (fs::path(path) / name).string() +
+                               "' cannot be written: " + error.what() + ".");
+    }
+}
+} // namespace Setsudan

@@ -1,0 +1,226 @@
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <setsudan/parameters/lists.h>
+#include <setsudan/parameters/parameters.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+std::vector<std::string>
+path_of(const std::string &subsection)
+{
+  return split(subsection, '/');
+}
+
+/** "Young's modulus" in subsection "Material", as messages name it. */
+std::string
+full_name(const std::string &subsection, const std::string &name)
+{
+  return (subsection.empty() ? "" : "subsection " + subsection + ", ") + "'" +
+         name + "'";
+}
+
+/** What the pattern allows, on one line, out of deal.II's message "The string
+ * <value> does not match the given pattern <description>." */
+std::string
+pattern_of(const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
+{
+  std::ostringstream message;
+  exception.print_info(message);
+  std::string text         = message.str();
+  const std::string before = "given pattern";
+  const auto begin         = text.find('<', text.find(before));
+  const auto end           = text.rfind('>');
+  if (begin != std::string::npos && end > begin)
+    text = text.substr(begin + 1, end - begin - 1);
+  for (char &c : text)
+    if (c == '\n')
+      c = ' ';
+  return Utilities::trim(text) + ".";
+}
+
+/**
+ * Patterns::Double also takes "nan" and "inf", and reads "1e400" as infinity;
+ * none of them is a number a scene can mean.
+ */
+bool
+is_finite_or_text(const std::string &value)
+{
+  std::vector<double> numbers;
+  if (!parse_numbers(value, numbers))
+    return true;
+  for (const double number : numbers)
+    if (!std::isfinite(number))
+      return false;
+  return true;
+}
+} // namespace
+
+
+Parameters::Parameters(const std::string &scene_name,
+                       const std::vector<SceneEntry> &entries,
+                       const Declare &declare)
+  : scene_name(scene_name)
+{
+  declare(handler);
+  for (const SceneEntry &entry : entries)
+    set(entry);
+}
+
+
+
+void
+Parameters::set(const SceneEntry &entry)
+{
+  const auto path = path_of(entry.subsection);
+  if (!path.empty() && !handler.subsection_path_exists(path))
+    throw SceneError(entry.location + ": there is no subsection '" +
+                     entry.subsection + "' (it sets '" + entry.name +
+                     "'); --print-parameters lists all of them.");
+  for (const auto &subsection : path)
+    handler.enter_subsection(subsection);
+  std::string problem;
+  try
+    {
+      handler.set(entry.name, entry.value);
+      if (!is_finite_or_text(entry.value))
+        problem = "allowed is: a finite number.";
+    }
+  catch (const ParameterHandler::ExcEntryUndeclared &)
+    {
+      throw SceneError(entry.location + ": there is no parameter " +
+                       full_name(entry.subsection, entry.name) +
+                       "; --print-parameters lists all of them.");
+    }
+  catch (const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
+    {
+      problem = "allowed is: " + pattern_of(exception);
+    }
+  for (unsigned int i = 0; i < path.size(); ++i)
+    handler.leave_subsection();
+  if (!problem.empty())
+    throw SceneError(entry.location + ": " +
+                     full_name(entry.subsection, entry.name) + " is '" +
+                     entry.value + "'; " + problem);
+  locations[{entry.subsection, entry.name}] = entry.location;
+}
+
+
+
+double
+Parameters::number(const std::string &subsection, const std::string &name) const
+{
+  return handler.get_double(path_of(subsection), name);
+}
+
+
+
+unsigned int
+Parameters::natural(const std::string &subsection,
+                    const std::string &name) const
+{
+  return handler.get_integer(path_of(subsection), name);
+}
+
+
+
+bool
+Parameters::truth(const std::string &subsection, const std::string &name) const
+{
+  return handler.get_bool(path_of(subsection), name);
+}
+
+
+
+std::string
+Parameters::text(const std::string &subsection, const std::string &name) const
+{
+  return Utilities::trim(handler.get(path_of(subsection), name));
+}
+
+
+
+std::vector<double>
+Parameters::numbers(const std::string &subsection,
+                    const std::string &name,
+                    const unsigned int count) const
+{
+  std::vector<double> values;
+  const bool valid = parse_numbers(text(subsection, name), values);
+  require(valid && (count == 0 || values.size() == count),
+          subsection,
+          name,
+          (count == 0 ? "" : std::to_string(count) + " ") +
+            "numbers separated by commas");
+  return values;
+}
+
+
+
+bool
+Parameters::is_given(const std::string &subsection,
+                     const std::string &name) const
+{
+  return locations.count({subsection, name}) > 0;
+}
+
+
+
+void
+Parameters::reject(const std::string &subsection,
+                   const std::string &name,
+                   const std::string &allowed) const
+{
+  const auto found = locations.find({subsection, name});
+  throw SceneError((found == locations.end() ? scene_name + " (default value)"
+                                             : found->second) +
+                   ": " + full_name(subsection, name) + " is '" +
+                   text(subsection, name) + "'; allowed is: " + allowed + ".");
+}
+
+
+
+void
+Parameters::require(const bool condition,
+                    const std::string &subsection,
+                    const std::string &name,
+                    const std::string &allowed) const
+{
+  if (!condition)
+    reject(subsection, name, allowed);
+}
+
+
+
+void
+Parameters::print(std::ostream &out) const
+{
+  handler.print_parameters(
+    out, ParameterHandler::Text | ParameterHandler::KeepDeclarationOrder);
+}
+
+
+
+void
+declare(ParameterHandler &handler,
+        const std::string &subsection,
+        const std::string &name,
+        const std::string &default_value,
+        const Patterns::PatternBase &pattern,
+        const std::string &documentation)
+{
+  const auto path = path_of(subsection);
+  for (const auto &part : path)
+    handler.enter_subsection(part);
+  handler.declare_entry(name, default_value, pattern, documentation);
+  for (unsigned int i = 0; i < path.size(); ++i)
+    handler.leave_subsection();
+}
+} // namespace Setsudan

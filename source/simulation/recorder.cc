@@ -1,0 +1,159 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/output/node_table.h>
+#include <setsudan/output/piece_mesh.h>
+#include <setsudan/parameters/lists.h>
+#include <setsudan/simulation/recorder.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+Recorder<dim>::Recorder(const Scene<dim> &scene,
+                        const Parameters &parameters,
+                        const MPI_Comm communicator)
+  : progress(communicator)
+  , scene(scene)
+  , directory(scene.output.directory, communicator)
+  , is_first_process(Utilities::MPI::this_mpi_process(communicator) == 0)
+  , frames(directory)
+{
+  if (is_first_process)
+    directory.write("parameters.prm",
+                    [&](std::ostream &out) { parameters.print(out); });
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::record(const std::string &name, const Event &event)
+{
+  Event line   = event;
+  line.name    = name;
+  line.seconds = progress.seconds();
+  if (is_first_process)
+    statistics.add(line, directory);
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::write_state(const CutBody<dim> &body,
+                           const State<dim> &state,
+                           const unsigned int frame,
+                           const bool is_stage)
+{
+  using Frames      = OutputParameters::Frames;
+  const bool framed = scene.output.frames == Frames::every_row ||
+                      (scene.output.frames == Frames::stages && is_stage);
+  if (!framed && !scene.output.node_tables)
+    return;
+  const LA::Vector displacement =
+    body.model->discretization.with_ghosts(state.displacement);
+  if (framed)
+    frames.write(frame, *body.model, displacement, body.labels);
+  if (scene.output.node_tables)
+    write_node_table(scene.body,
+                     *body.model,
+                     body.seams,
+                     displacement,
+                     directory,
+                     "nodes_" + Utilities::to_string(frame, 4) + ".csv");
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::write_pieces(const CutBody<dim> &body)
+{
+  double volume_of_body = 0;
+  for (unsigned int e = 0; e < scene.body.mesh.cells.size(); ++e)
+    volume_of_body += scene.body.mesh.cell_volume(e);
+
+  double volume = 0;
+  if (is_first_process)
+    {
+      unsigned int number = 0;
+      for (const auto &piece :
+           make_piece_meshes(body.mesh, body.labels.piece, scene.body))
+        {
+          volume += piece.volume();
+          const std::string name = "piece_" + std::to_string(number++);
+          write_piece_msh(piece, directory, name + ".msh");
+          write_piece_vtu(piece, directory, name + ".vtu");
+        }
+      if (!(std::abs(volume - volume_of_body) <= 1e-12 * volume_of_body))
+        throw std::runtime_error("The pieces' volumes sum up to " +
+                                 short_text(volume) + " and the body's is " +
+                                 short_text(volume_of_body) +
+                                 ": material was lost or made by the surgery.");
+    }
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::warn_of_range(const Event &event)
+{
+  if (event.max_strain > scene.material.linear_range && !warned_of_strain)
+    {
+      warned_of_strain = true;
+      std::ostringstream message;
+      message.precision(3);
+      message << "in frame " << event.frame << " a principal strain of "
+              << event.max_strain << " exceeds Material/Linear range = "
+              << scene.material.linear_range
+              << ": the linear theory has left its range, and the deformation "
+                 "is not to be taken for real.";
+      progress.warn(message.str());
+    }
+  if (event.min_jacobian <= 0 && !warned_of_jacobian)
+    {
+      warned_of_jacobian = true;
+      std::ostringstream message;
+      message.precision(3);
+      message << "in frame " << event.frame
+              << " the deformed body overlaps itself (the determinant of the "
+                 "deformation gradient falls to "
+              << event.min_jacobian
+              << "): the load is too large for a linear body, or too "
+                 "concentrated for its elements.";
+      progress.warn(message.str());
+    }
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::show_row(const Event &event, const unsigned int n_rows)
+{
+  if (event.row == 0)
+    cut_began = progress.seconds();
+  const std::string stress_unit =
+    scene.force_unit + "/" + scene.length_unit + "^2";
+  std::ostringstream line;
+  line.precision(4);
+  line << "  row " << event.row + 1 << "/" << n_rows << "  depth "
+       << event.depth << " " << scene.length_unit << "  force "
+       << event.blade_force << " " << scene.force_unit << "  stress "
+       << event.cutting_stress << " of " << event.required_stress << " "
+       << stress_unit << " required";
+  if (event.row > 0)
+    line << "  " << progress.time_left(cut_began, event.row, n_rows);
+  progress.show(line.str());
+}
+
+
+
+template class Recorder<2>;
+template class Recorder<3>;
+} // namespace Setsudan

@@ -1,0 +1,114 @@
+#include <setsudan/elasticity/rigid_modes.h>
+#include <setsudan/simulation/scene.h>
+
+#include <numeric>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+unsigned int
+scene_dimension(const std::vector<SceneEntry> &entries)
+{
+  unsigned int dimension = 3;
+  for (const auto &entry : entries)
+    if (entry.subsection.empty() && entry.name == "Dimension")
+      {
+        if (entry.value != "2" && entry.value != "3")
+          throw SceneError(entry.location + ": 'Dimension' is '" + entry.value +
+                           "'; allowed is: 2 (plane strain) or 3.");
+        dimension = entry.value == "2" ? 2 : 3;
+      }
+  return dimension;
+}
+
+
+
+template <int dim>
+void
+Scene<dim>::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "",
+                    "Dimension",
+                    std::to_string(dim),
+                    Patterns::Selection("2|3"),
+                    "2 is plane strain, for forces per unit of thickness.");
+  Setsudan::declare(handler,
+                    "",
+                    "Length unit",
+                    "cm",
+                    Patterns::Anything(),
+                    "A label for tables and pictures: any consistent set of "
+                    "units works.");
+  Setsudan::declare(handler,
+                    "",
+                    "Force unit",
+                    "gf",
+                    Patterns::Anything(),
+                    "A label, as the unit of length.");
+  BodyParameters<dim>::declare(handler);
+  MaterialParameters::declare(handler);
+  SupportParameters<dim>::declare(handler);
+  LoadParameters<dim>::declare(handler);
+  BladeParameters<dim>::declare(handler);
+  CutParameters<dim>::declare(handler);
+  YieldParameters::declare(handler);
+  DivisionParameters::declare(handler);
+  SolverParameters::declare(handler);
+  OutputParameters::declare(handler);
+}
+
+
+
+namespace
+{
+/** Refuse a body that its supports do not hold. */
+template <int dim>
+void
+check_supports(const Parameters &parameters,
+               const Body<dim> &body,
+               const Supports<dim> &supports)
+{
+  std::vector<unsigned int> elements(body.mesh.cells.size());
+  std::iota(elements.begin(), elements.end(), 0);
+  const auto hold =
+    find_minimal_hold(supports.fixed_points(elements), body.mesh.vertices);
+  parameters.require(
+    hold.empty(),
+    "Support",
+    parameters.is_given("Support", "Fixed nodes") ? "Fixed nodes"
+                                                  : "Fixed faces",
+    "faces and nodes that hold the body; with these it is free to move "
+    "rigidly in " +
+      std::to_string(hold.size()) + " ways");
+}
+} // namespace
+
+
+template <int dim>
+Scene<dim>::Scene(const Parameters &parameters)
+  : length_unit(parameters.text("", "Length unit"))
+  , force_unit(parameters.text("", "Force unit"))
+  , body(BodyParameters<dim>(parameters))
+  , supports(SupportParameters<dim>(parameters, body), body)
+  , loads(parameters, body)
+  , material(parameters)
+  , blade(parameters)
+  , cut(parameters, BodyParameters<dim>(parameters))
+  , yield(parameters)
+  , division(parameters)
+  , solver(parameters)
+  , output(parameters)
+{
+  check_supports(parameters, body, supports);
+  for (const auto &surface : cut.surfaces)
+    check_blade(
+      parameters, blade, body, supports, make_cut_surface(body, surface));
+}
+
+
+
+template struct Scene<2>;
+template struct Scene<3>;
+} // namespace Setsudan

@@ -1,0 +1,275 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/elasticity/transfer.h>
+#include <setsudan/simulation/simulation.h>
+
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+Simulation<dim>::Simulation(const Scene<dim> &scene,
+                            const Parameters &parameters,
+                            const MPI_Comm communicator)
+  : scene(scene)
+  , recorder(scene, parameters, communicator)
+  , body(scene, communicator)
+{
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::run()
+{
+  rest();
+  if (scene.cut.surfaces.empty())
+    deform_only();
+  for (unsigned int cut = 0; cut < scene.cut.surfaces.size(); ++cut)
+    if (!make_cut(cut))
+      break;
+  std::ostringstream line;
+  line << "Results in " << scene.output.directory << ": " << n_frames
+       << " states, " << body.n_pieces()
+       << (body.n_pieces() == 1 ? " piece." : " pieces.");
+  recorder.progress.say(line.str());
+}
+
+
+
+template <int dim>
+bool
+Simulation<dim>::make_cut(const unsigned int cut)
+{
+  approach(cut);
+  const unsigned int n_rows = body.seam().rows().size();
+  for (unsigned int row = 0; row < n_rows; ++row)
+    {
+      deform(row);
+      if (!row_yields(row))
+        {
+          arrest();
+          return false;
+        }
+      if (row == 0)
+        open();
+      release(row);
+    }
+  divide();
+  return true;
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::rest()
+{
+  const auto n_unknowns = body.model->discretization.dof_handler.n_dofs();
+  solver                = make_linear_solver(scene.solver, n_unknowns);
+  std::ostringstream line;
+  line << "Body: " << dim << "D, " << scene.body.mesh.cells.size()
+       << " elements, " << scene.body.numbering.n_nodes() << " nodes, "
+       << n_unknowns << " unknowns on "
+       << Utilities::MPI::n_mpi_processes(body.communicator)
+       << " process(es).\nSolver: " << solver->description();
+  if (scene.solver.method == SolverParameters::Method::automatic)
+    line << ", chosen because the unknowns "
+         << (solver->is_iterative() ? "exceed " : "do not exceed ")
+         << "Solver/Direct up to = " << scene.solver.direct_up_to;
+  recorder.progress.say(line.str() + ".");
+
+  state = rest_state(body);
+  event.required_stress =
+    required_stress(scene.material.shear_limit, scene.blade.sharpness);
+  recorder.record("rest", event);
+  recorder.write_state(body, state, 0, true);
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::deform_only()
+{
+  if (!scene.blade.edge_loads.empty())
+    recorder.progress.warn(
+      "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
+      "the blade is left out.");
+  accept(
+    solve_state(scene, body, no_blade(body), 0, state.displacement, *solver),
+    no_blade(body));
+  recorder.record("deform", event);
+  recorder.write_state(body, state, event.frame, true);
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::approach(const unsigned int cut)
+{
+  body.approach(make_cut_surface(scene.body, scene.cut.surfaces[cut]));
+  event.cut           = cut;
+  event.released_rows = 0;
+  std::ostringstream line;
+  line << "Cut " << cut << " (" << scene.cut.surfaces[cut].text
+       << "): " << body.seam().rows().size() << " rows, "
+       << body.seam().pairs().size() << " nodes.";
+  recorder.progress.say(line.str());
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::deform(const unsigned int row)
+{
+  using Check          = YieldParameters::Check;
+  using LoadControl    = DivisionParameters::LoadControl;
+  const bool ramp      = scene.division.load_control == LoadControl::ramp;
+  const bool is_judged = row == 0 || scene.yield.check == Check::every_row;
+  const auto blade     = blade_on_row(scene, body, row);
+  if (ramp && is_judged)
+    accept(solve_ramp(scene, body, blade, row, *solver), blade);
+  else
+    {
+      // A cut that runs through does so at the load that opened it.
+      const double load_factor = ramp ? state.load_factor : 1;
+      State<dim> new_state     = solve_state(
+        scene, body, blade, load_factor, state.displacement, *solver);
+      judge(scene, body, row, new_state);
+      new_state.yields = new_state.yields || !is_judged;
+      accept(std::move(new_state), blade);
+    }
+
+  if (row > 0)
+    recorder.record("release", event);
+  event.row   = row;
+  event.depth = body.seam().rows()[row].depth;
+  recorder.record("deform", event);
+  recorder.show_row(event, body.seam().rows().size());
+  recorder.write_state(body,
+                       state,
+                       event.frame,
+                       row == 0 || row + 1 == body.seam().rows().size() ||
+                         !state.yields);
+}
+
+
+
+template <int dim>
+bool
+Simulation<dim>::row_yields(const unsigned int row)
+{
+  if (state.yields &&
+      (row == 0 || scene.yield.check == YieldParameters::Check::every_row))
+    recorder.record("yield", event);
+  return state.yields;
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::arrest()
+{
+  recorder.record("arrest", event);
+  std::ostringstream line;
+  line.precision(6);
+  line << "Arrested at row " << event.row << ": the cutting stress reached "
+       << event.cutting_stress << " and " << event.required_stress
+       << " is required, at load factor " << event.load_factor << ".";
+  recorder.progress.say(line.str());
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::open()
+{
+  const auto uncut = std::move(body.model);
+  const LA::Vector displacement =
+    uncut->discretization.with_ghosts(state.displacement);
+  body.open();
+  state.displacement =
+    transfer(uncut->discretization, displacement, body.model->discretization);
+  state.opening = body.model->discretization.zero_vector();
+
+  // A fully tied seam is the uncut body.
+  const State<dim> tied = solve_state(scene,
+                                      body,
+                                      blade_on_row(scene, body, 0),
+                                      state.load_factor,
+                                      state.displacement,
+                                      *solver);
+  LA::Vector difference = tied.displacement;
+  difference -= state.displacement;
+  const double largest = state.displacement.linfty_norm();
+  const double error   = difference.linfty_norm();
+  std::ostringstream line;
+  line.precision(2);
+  line << "  seam of " << body.seam().n_double_pairs()
+       << " node pairs; tied, it differs from the uncut body by "
+       << (largest > 0 ? error / largest : error)
+       << " of the largest displacement";
+  if (!(error <= 1e-10 * largest))
+    throw SolverError("The tied" + line.str().substr(1) +
+                      ", which must not exceed 1e-10.");
+  recorder.progress.show(line.str());
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::release(const unsigned int row)
+{
+  body.seam().set_row_state(row, Seam<dim>::State::opened);
+  ++event.released_rows;
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::divide()
+{
+  body.divide();
+  for (const auto &loose : body.loose_pieces)
+    recorder.progress.say("  piece " + std::to_string(loose.piece) +
+                          " has no support of its own; it is held at " +
+                          std::to_string(loose.hold.size()) +
+                          " components, which its loads do not strain");
+  State<dim> divided =
+    solve_state(scene, body, no_blade(body), 0, state.displacement, *solver);
+  accept(std::move(divided), no_blade(body));
+  recorder.record("release", event);
+  recorder.record("divide", event);
+  recorder.write_state(body, state, event.frame, true);
+  recorder.write_pieces(body);
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
+{
+  event.frame = n_frames++;
+  describe_state(scene, body, blade, new_state, event);
+  if (event.released_rows > 0)
+    check_energy_of_split(body, state, new_state);
+  state = std::move(new_state);
+  recorder.warn_of_range(event);
+}
+
+
+
+template class Simulation<2>;
+template class Simulation<3>;
+} // namespace Setsudan

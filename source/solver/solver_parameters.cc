@@ -1,0 +1,56 @@
+#include <setsudan/solver/solver_parameters.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+void
+SolverParameters::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Solver",
+                    "Method",
+                    "auto",
+                    Patterns::Selection("auto|direct|iterative"),
+                    "direct: sparse Cholesky; iterative: conjugate gradients "
+                    "with algebraic multigrid; auto: by the number of "
+                    "unknowns.");
+  Setsudan::declare(handler,
+                    "Solver",
+                    "Direct up to",
+                    "30000",
+                    Patterns::Integer(0),
+                    "With auto, bodies of at most so many unknowns are solved "
+                    "directly [-].");
+  Setsudan::declare(handler,
+                    "Solver",
+                    "Tolerance",
+                    "1e-10",
+                    Patterns::Double(),
+                    "Residual at which the iteration ends, relative to the "
+                    "forces; greater than 0 and at most 1e-3 [-].");
+  Setsudan::declare(handler,
+                    "Solver",
+                    "Maximum iterations",
+                    "2000",
+                    Patterns::Integer(1),
+                    "An iteration that takes more has failed [-].");
+}
+
+
+
+SolverParameters::SolverParameters(const Parameters &parameters)
+  : direct_up_to(parameters.natural("Solver", "Direct up to"))
+  , tolerance(parameters.number("Solver", "Tolerance"))
+  , max_iterations(parameters.natural("Solver", "Maximum iterations"))
+{
+  const std::string name = parameters.text("Solver", "Method");
+  method                 = name == "direct"      ? Method::direct
+                           : name == "iterative" ? Method::iterative
+                                                 : Method::automatic;
+  parameters.require(tolerance > 0 && tolerance <= 1e-3,
+                     "Solver",
+                     "Tolerance",
+                     "a number greater than 0 and at most 1e-3");
+}
+} // namespace Setsudan

@@ -1,0 +1,41 @@
+// What every unit test begins with: MPI, a fixed number format, and failures
+// that are printed where numdiff sees them.
+#pragma once
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
+
+#include <exception>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+
+/** Run `test` under MPI; print what it throws, and return the exit status. */
+inline int
+run_test(int argc, char **argv, const std::function<void()> &test)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::cout << std::setprecision(6);
+  try
+    {
+      test();
+    }
+  catch (const std::exception &exception)
+    {
+      std::cout << "FAILED: " << exception.what() << std::endl;
+      return 1;
+    }
+  return 0;
+}
+
+/** Print `name`, and whether `error` is below `tolerance`; the value itself is
+ * printed only where it is not, so that round-off does not matter. */
+inline void
+check_below(const std::string &name, const double error, const double tolerance)
+{
+  std::cout << name << ": ";
+  if (error <= tolerance)
+    std::cout << "below " << tolerance << std::endl;
+  else
+    std::cout << "FAILED, " << error << " exceeds " << tolerance << std::endl;
+}
