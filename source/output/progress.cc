@@ -3,6 +3,7 @@
 #include <setsudan/output/progress.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 #include <unistd.h>
@@ -11,10 +12,12 @@ namespace Setsudan
 {
 using namespace dealii;
 
+// mpirun puts a terminal of its own between the program and a file.
 Progress::Progress(const MPI_Comm communicator)
   : start(std::chrono::steady_clock::now())
   , speaks(Utilities::MPI::this_mpi_process(communicator) == 0)
-  , on_terminal(isatty(STDOUT_FILENO) == 1)
+  , on_terminal(isatty(STDOUT_FILENO) == 1 &&
+                std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
 {
 }
 

@@ -41,6 +41,9 @@ DirectSolver::initialize(const LA::SparseMatrix &matrix,
 {
   // Amesos' interface is not const-correct; it does not change the matrix.
   amesos.reset();
+  // Amesos looks at vectors that are set, and those of the last solve are gone.
+  problem.SetLHS(nullptr);
+  problem.SetRHS(nullptr);
   problem.SetOperator(
     const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
   amesos.reset(Amesos().Create(small ? "Amesos_Klu" : "Amesos_Mumps", problem));
