@@ -53,6 +53,14 @@ template <int dim>
 void
 CutBody<dim>::approach(const CutSurface<dim> &surface)
 {
+  for (const auto &loose : loose_pieces)
+    for (const auto &face : surface)
+      if (labels.piece[face.minus.first] == loose.piece ||
+          labels.piece[face.plus.first] == loose.piece)
+        throw std::runtime_error(
+          "The next cut goes through piece " + std::to_string(loose.piece) +
+          ", which has no support to press it against. Support it with "
+          "Support/Fixed faces or Fixed nodes, or cut it first.");
   surfaces.push_back(surface);
   seams.push_back(make_seam(surface));
 }

@@ -65,8 +65,7 @@ solve_state(const Scene<dim> &scene,
             CutBody<dim> &body,
             const BladeLoad<dim> &blade,
             const double load_factor,
-            const LA::Vector &guess,
-            LinearSolver &solver)
+            const LA::Vector &guess)
 {
   const auto constraints = body.constraints();
   State<dim> state       = rest_state(body);
@@ -76,7 +75,7 @@ solve_state(const Scene<dim> &scene,
   if (!body.seams.empty())
     state.opening =
       body.seam().opening(body.model->discretization, scene.blade.thickness);
-  state.displacement = Equilibrium<dim>(*body.model, constraints, solver)
+  state.displacement = Equilibrium<dim>(*body.model, constraints, scene.solver)
                          .solve(state.forces, state.opening, guess);
   return state;
 }
@@ -88,8 +87,7 @@ State<dim>
 solve_ramp(const Scene<dim> &scene,
            CutBody<dim> &body,
            const BladeLoad<dim> &blade,
-           const unsigned int row,
-           LinearSolver &solver)
+           const unsigned int row)
 {
   const auto &discretization = body.model->discretization;
   const auto constraints     = body.constraints();
@@ -97,7 +95,7 @@ solve_ramp(const Scene<dim> &scene,
   State<dim> state           = rest_state(body);
   state.opening = body.seam().opening(discretization, scene.blade.thickness);
 
-  Equilibrium<dim> equilibrium(*body.model, constraints, solver);
+  Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
   const LA::Vector base =
     equilibrium.solve(body.model->loads, state.opening, state.opening);
   const LA::Vector per_load = equilibrium.solve(blade.nodal_forces, zero, zero);
@@ -266,13 +264,11 @@ check_energy_of_split(CutBody<dim> &body,
                                   CutBody<dim> &,                  \
                                   const BladeLoad<dim> &,          \
                                   const double,                    \
-                                  const LA::Vector &,              \
-                                  LinearSolver &);                 \
+                                  const LA::Vector &);             \
   template State<dim> solve_ramp(const Scene<dim> &,               \
                                  CutBody<dim> &,                   \
                                  const BladeLoad<dim> &,           \
-                                 const unsigned int,               \
-                                 LinearSolver &);                  \
+                                 const unsigned int);              \
   template void judge(const Scene<dim> &,                          \
                       const CutBody<dim> &,                        \
                       const unsigned int,                          \

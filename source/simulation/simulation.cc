@@ -69,7 +69,7 @@ void
 Simulation<dim>::rest()
 {
   const auto n_unknowns = body.model->discretization.dof_handler.n_dofs();
-  solver                = make_linear_solver(scene.solver, n_unknowns);
+  const auto solver     = make_linear_solver(scene.solver, n_unknowns);
   std::ostringstream line;
   line << "Body: " << dim << "D, " << scene.body.mesh.cells.size()
        << " elements, " << scene.body.numbering.n_nodes() << " nodes, "
@@ -99,9 +99,8 @@ Simulation<dim>::deform_only()
     recorder.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
-  accept(
-    solve_state(scene, body, no_blade(body), 0, state.displacement, *solver),
-    no_blade(body));
+  accept(solve_state(scene, body, no_blade(body), 0, state.displacement),
+         no_blade(body));
   recorder.record("deform", event);
   recorder.write_state(body, state, event.frame, true);
 }
@@ -134,13 +133,13 @@ Simulation<dim>::deform(const unsigned int row)
   const bool is_judged = row == 0 || scene.yield.check == Check::every_row;
   const auto blade     = blade_on_row(scene, body, row);
   if (ramp && is_judged)
-    accept(solve_ramp(scene, body, blade, row, *solver), blade);
+    accept(solve_ramp(scene, body, blade, row), blade);
   else
     {
       // A cut that runs through does so at the load that opened it.
       const double load_factor = ramp ? state.load_factor : 1;
-      State<dim> new_state     = solve_state(
-        scene, body, blade, load_factor, state.displacement, *solver);
+      State<dim> new_state =
+        solve_state(scene, body, blade, load_factor, state.displacement);
       judge(scene, body, row, new_state);
       new_state.yields = new_state.yields || !is_judged;
       accept(std::move(new_state), blade);
@@ -205,8 +204,7 @@ Simulation<dim>::open()
                                       body,
                                       blade_on_row(scene, body, 0),
                                       state.load_factor,
-                                      state.displacement,
-                                      *solver);
+                                      state.displacement);
   LA::Vector difference = tied.displacement;
   difference -= state.displacement;
   const double largest = state.displacement.linfty_norm();
@@ -246,7 +244,7 @@ Simulation<dim>::divide()
                           std::to_string(loose.hold.size()) +
                           " components, which its loads do not strain");
   State<dim> divided =
-    solve_state(scene, body, no_blade(body), 0, state.displacement, *solver);
+    solve_state(scene, body, no_blade(body), 0, state.displacement);
   accept(std::move(divided), no_blade(body));
   recorder.record("release", event);
   recorder.record("divide", event);

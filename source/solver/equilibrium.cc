@@ -37,16 +37,18 @@ rigid_modes_of(const Discretization<dim> &discretization)
 template <int dim>
 Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
                               const AffineConstraints<double> &constraints,
-                              LinearSolver &solver)
+                              const SolverParameters &parameters)
   : model(model)
   , constraints(constraints)
-  , solver(solver)
+  , solver(
+      make_linear_solver(parameters, model.discretization.dof_handler.n_dofs()))
 {
   assemble_stiffness(
     model.discretization, model.stiffness, constraints, matrix);
-  solver.initialize(matrix,
-                    solver.is_iterative() ? rigid_modes_of(model.discretization)
-                                          : std::vector<std::vector<double>>());
+  solver->initialize(matrix,
+                     solver->is_iterative()
+                       ? rigid_modes_of(model.discretization)
+                       : std::vector<std::vector<double>>());
 }
 
 
@@ -80,7 +82,7 @@ Equilibrium<dim>::solve(const LA::Vector &forces,
   LA::Vector x = guess;
   x -= prescribed;
   constraints.set_zero(x);
-  solver.solve(x, b);
+  solver->solve(x, b);
 
   LA::Vector residual      = b;
   const auto residual_norm = [&]() {
@@ -89,10 +91,10 @@ Equilibrium<dim>::solve(const LA::Vector &forces,
   };
   const double scale = b.l2_norm();
   double error       = residual_norm();
-  if (!solver.is_iterative() && error > refined_above * scale)
+  if (!solver->is_iterative() && error > refined_above * scale)
     {
       LA::Vector correction = b;
-      solver.solve(correction, residual);
+      solver->solve(correction, residual);
       x += correction;
       error = residual_norm();
     }
@@ -100,7 +102,7 @@ Equilibrium<dim>::solve(const LA::Vector &forces,
   if (!(error <= failed_above * scale))
     {
       std::ostringstream message;
-      message << "The " << solver.description()
+      message << "The " << solver->description()
               << " solver left a relative residual of " << error / scale
               << ", which must not exceed " << failed_above
               << ": the system is singular or nearly so. Check that supports "

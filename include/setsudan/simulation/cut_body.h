@@ -22,7 +22,10 @@ public:
   /** The uncut body; `scene` must live as long. */
   CutBody(const Scene<dim> &scene, const MPI_Comm communicator);
 
-  /** Begin a new cut: find its rows. The mesh stays as it is. */
+  /** Begin a new cut: find its rows. The mesh stays as it is.
+   *
+   * @throw std::runtime_error where the cut goes through a piece that nothing
+   * holds against the blade. */
   void approach(const CutSurface<dim> &surface);
 
   /** Duplicate the newest surface's nodes; all its pairs are tied. */

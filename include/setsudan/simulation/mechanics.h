@@ -57,8 +57,7 @@ State<dim> solve_state(const Scene<dim> &scene,
                        CutBody<dim> &body,
                        const BladeLoad<dim> &blade,
                        const double load_factor,
-                       const LA::Vector &guess,
-                       LinearSolver &solver);
+                       const LA::Vector &guess);
 
 /** Solve for the smallest load factor at which a row yields, or the largest
  * allowed one where it does not. The load enters linearly: two solves. */
@@ -66,8 +65,7 @@ template <int dim>
 State<dim> solve_ramp(const Scene<dim> &scene,
                       CutBody<dim> &body,
                       const BladeLoad<dim> &blade,
-                      const unsigned int row,
-                      LinearSolver &solver);
+                      const unsigned int row);
 
 /** Set the cutting stress of a state that solve_state() made, and whether the
  * row yields. */

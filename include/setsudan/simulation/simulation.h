@@ -4,8 +4,6 @@
 #include <setsudan/simulation/mechanics.h>
 #include <setsudan/simulation/recorder.h>
 
-#include <memory>
-
 namespace Setsudan
 {
 /** A run of a scene: the body deforms under the blade, yields, and is divided
@@ -52,7 +50,6 @@ private:
   const Scene<dim> &scene;
   Recorder<dim> recorder;
   CutBody<dim> body;
-  std::unique_ptr<LinearSolver> solver;
   State<dim> state;
   Event event;
   unsigned int n_frames = 1;

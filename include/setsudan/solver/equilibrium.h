@@ -19,7 +19,7 @@ public:
    */
   Equilibrium(ElasticModel<dim> &model,
               const dealii::AffineConstraints<double> &constraints,
-              LinearSolver &solver);
+              const SolverParameters &parameters);
 
   /**
    * The displacement under nodal forces.
@@ -41,7 +41,8 @@ private:
 
   ElasticModel<dim> &model;
   const dealii::AffineConstraints<double> &constraints;
-  LinearSolver &solver;
   LA::SparseMatrix matrix;
+  /** Behind the matrix, which must outlive it. */
+  std::unique_ptr<LinearSolver> solver;
 };
 } // namespace Setsudan

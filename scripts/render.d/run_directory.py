@@ -1,0 +1,66 @@
+"""What a run of setsudan left in its output directory."""
+
+import csv
+import os
+import re
+import sys
+
+
+class RunDirectory:
+    """The frames, statistics and parameters of one run."""
+
+    def __init__(self, path):
+        self.path = path
+        self.frames = read_sequence(path)
+        self.parameters = read_parameters(os.path.join(path, "parameters.prm"))
+        with open(os.path.join(path, "statistics.csv"), newline="") as table:
+            self.statistics = [convert(line) for line in csv.DictReader(table)]
+
+    def unit(self, field):
+        """The unit of a field, made of the labels of length and force."""
+        length = self.parameters.get("Length unit", "")
+        force = self.parameters.get("Force unit", "")
+        if field == "displacement":
+            return length
+        return f"{force}/{length}^2" if length and force else ""
+
+    def events(self, frame):
+        return [line for line in self.statistics if line["frame"] == frame]
+
+
+def read_sequence(path):
+    """Frame number -> file, of the frames that cut.pvd lists."""
+    sequence = os.path.join(path, "cut.pvd")
+    files = []
+    if os.path.exists(sequence):
+        with open(sequence) as pvd:
+            files = re.findall(r'file="([^"]+)"', pvd.read())
+    if not files:
+        sys.exit(f"{path} holds no frames: run a scene with Output/Frames = "
+                 "every row or stages into it first.")
+    return {int(re.search(r"(\d+)\.p?vtu$", name).group(1)):
+            os.path.join(path, name) for name in files}
+
+
+def read_parameters(path):
+    """'Subsection/Name' -> value, as text."""
+    parameters, sections = {}, []
+    with open(path) as lines:
+        for line in lines:
+            line = line.split("#")[0].strip()
+            if line.startswith("subsection "):
+                sections.append(line[len("subsection "):].strip())
+            elif line == "end":
+                sections.pop()
+            elif line.startswith("set "):
+                name, value = line[len("set "):].split("=", 1)
+                parameters["/".join(sections + [name.strip()])] = value.strip()
+    return parameters
+
+
+def convert(line):
+    """A line of the statistics with its numbers as numbers."""
+    return {name: value if name == "event" else
+            int(value) if name in ("frame", "cut", "row", "released_rows",
+                                   "pieces") else float(value)
+            for name, value in line.items()}
