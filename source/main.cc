@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -70,6 +71,9 @@ collect_entries(const CommandLine &command_line)
 int
 main(int argc, char **argv)
 {
+  // A program that was not started by mpirun need not wait for Open MPI's
+  // daemon, which takes longer than a small scene.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const MPI_Comm communicator = MPI_COMM_WORLD;
   const bool speaks =

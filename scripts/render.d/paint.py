@@ -15,118 +15,129 @@ import sys
 import matplotlib
 import numpy as np
 from paraview import simple as pv
-from paraview.vtk.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
-from vtkmodules.vtkIOXML import (vtkXMLPUnstructuredGridReader,
-                                 vtkXMLUnstructuredGridReader)
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[0])))
-from blade import Blade, unit  # noqa: E402
+from blade import Blade  # noqa: E402
+from camera import Camera  # noqa: E402
+from frame import Frame, array, read_grid  # noqa: E402
 from run_directory import RunDirectory  # noqa: E402
 
-APART = 0.2      # how far pieces are drawn apart, of their centres' distance
-ARROW = 0.4      # length of the largest force's arrow, of the body's size
+ARROW = 0.35     # length of the largest force's arrow, of the body's size
+MAPS = {"positive": "YlOrRd", "signed": "coolwarm"}
 
 
-class Frame:
-    """One state: the grid at its deformed place and the blade's forces."""
+def main(options):
+    runs = [RunDirectory(path) for path in options["directories"]]
+    frames = [[Frame(run, number) for number in run.frames] for run in runs]
+    every = [frame for of_run in frames for frame in of_run]
+    low, high = options["range"] or colour_range(every, options["field"])
+    colours = {"field": options["field"], "range": [low, high],
+               "map": MAPS["signed" if low < 0 else "positive"]}
+    scale_arrows(every)
 
-    def __init__(self, run, number):
-        self.number = number
-        self.grid = read_grid(run.frames[number])
-        self.places = vtk_to_numpy(self.grid.GetPoints().GetData())
-        rest = self.places.copy()
-        self.places += array(self.grid.GetPointData(), "displacement")
-        self.places += self.apart()
-        self.grid.GetPoints().Modified()
-        self.arrows = self.find_arrows(run, rest)
-
-    def apart(self):
-        """The pieces' gap closes when they unload: move them apart to see it."""
-        pieces = array(self.grid.GetCellData(), "piece")
-        offsets = np.zeros_like(self.places)
-        self.is_apart = len(np.unique(pieces)) > 1
-        if self.is_apart:
-            n_points = len(self.places) // len(pieces)  # no point is shared
-            of_point = np.repeat(pieces, n_points)
-            for piece in np.unique(pieces):
-                chosen = of_point == piece
-                offsets[chosen] = APART * (self.places[chosen].mean(axis=0) -
-                                           self.places.mean(axis=0))
-        return offsets
-
-    def find_arrows(self, run, rest):
-        """(tip, force along the blade) of the loads on the front row."""
-        loaded = [line for line in run.events(self.number)
-                  if line["event"] in ("deform", "arrest")]
-        if not loaded:
-            return []
-        blade = Blade(run.parameters, loaded[-1]["cut"])
-        return [(self.place_of(point, rest), force * blade.direction)
-                for point, force in blade.forces(loaded[-1]["depth"],
-                                                 loaded[-1]["load_factor"])
-                if force]
-
-    def place_of(self, point, rest):
-        distance = np.linalg.norm(rest - point, axis=1)
-        nearest = distance < distance.min() + 1e-6 * np.ptp(rest)
-        return self.places[nearest].mean(axis=0)
+    camera = Camera(Blade(runs[0].parameters), options["view"])
+    camera.fit(np.concatenate([frame.extent() for frame in every]),
+               options["size"])
+    view = new_view(options["size"])
+    camera.aim(view)
+    for run, of_run in zip(runs, frames):
+        paint_run(view, camera, run, of_run, colours)
 
 
-def read_grid(file_name):
-    reader = vtkXMLPUnstructuredGridReader() \
-        if file_name.endswith(".pvtu") else vtkXMLUnstructuredGridReader()
-    reader.SetFileName(file_name)
-    reader.Update()
-    grid = vtkUnstructuredGrid()
-    grid.DeepCopy(reader.GetOutput())
-    return grid
+def colour_range(frames, field):
+    """Nearly all values: the few at a blade's force grow without bound."""
+    values = np.concatenate([frame.values(field) for frame in frames])
+    low, high = values.min(), np.percentile(np.abs(values), 99.5)
+    high = high or 1.0
+    return (-high, high) if low < -0.01 * high else (0.0, high)
 
 
-def array(data, name):
-    if not data.HasArray(name):
-        names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
-        sys.exit(f"The frames have no field {name}; they have "
-                 f"{', '.join(names)}.")
-    return vtk_to_numpy(data.GetArray(name))
+def scale_arrows(frames):
+    forces = [np.linalg.norm(force) for frame in frames
+              for _, force in frame.arrows]
+    size = np.ptp(frames[0].places, axis=0).max()
+    for frame in frames:
+        frame.arrows = [(tip, tip - force * ARROW * size / max(forces),
+                         np.linalg.norm(force))
+                        for tip, force in frame.arrows]
 
 
-class Camera:
-    """A parallel projection along the blade's edge, obliquely."""
+def new_view(size):
+    view = pv.CreateRenderView(ViewSize=size)
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    return view
 
-    def __init__(self, blade, angles):
-        across, along = np.tan(np.radians(angles))
-        up = np.array([0, 1, 0])
-        self.towards = np.array([0, 0, 1])
-        if blade.dimension == 3:
-            edge = blade.edge if blade.edge.sum() > 0 else -blade.edge
-            self.towards = unit(edge - across * blade.normal -
-                                along * blade.direction)
-            up = -blade.direction if abs(edge[2]) > 0.9 else np.eye(3)[2]
-        self.right = unit(np.cross(up, self.towards))
-        self.up = np.cross(self.towards, self.right)
 
-    def project(self, points):
-        points = np.atleast_2d(points)
-        return np.stack([points @ self.right, points @ self.up], axis=1)
+def paint_run(view, camera, run, frames, colours):
+    folder = os.path.join(run.path, "render", "plain")
+    os.makedirs(folder, exist_ok=True)
+    outline = draw_outline(view, read_grid(run.frames[min(run.frames)]))
+    description = dict(colours, unit=run.unit(colours["field"]), frames={})
+    for frame in frames:
+        body = draw_body(view, frame.grid, colours)
+        pv.SaveScreenshot(os.path.join(folder, f"{frame.number:04d}.png"),
+                          view)
+        pv.Delete(body)
+        description["frames"][frame.number] = {
+            "apart": frame.is_apart,
+            "arrows": [{"tip": camera.pixels(tip)[0],
+                        "tail": camera.pixels(tail)[0], "force": force}
+                       for tip, tail, force in frame.arrows]}
+    pv.Delete(outline)
+    with open(os.path.join(folder, "view.json"), "w") as file:
+        json.dump(description, file, indent=1)
 
-    def fit(self, points, size):
-        low, high = self.project(points).min(axis=0), \
-            self.project(points).max(axis=0)
-        self.centre = (low + high) / 2
-        self.half_height = 0.53 * max(high[1] - low[1],
-                                      (high[0] - low[0]) * size[1] / size[0])
-        self.focus = self.centre @ np.array([self.right, self.up])
-        self.distance = 10 * self.half_height + np.abs(points).max() * 4
 
-    def pixels(self, points, size):
-        """In units of the picture's height from its centre, y upwards."""
-        offset = (self.project(points) - self.centre) / (2 * self.half_height)
-        return offset.tolist()
+def draw_body(view, grid, colours):
+    source = produce(grid)
+    body = pv.Show(source, view)
+    body.Representation = "Surface With Edges"
+    body.NonlinearSubdivisionLevel = subdivisions(grid.GetNumberOfCells())
+    body.EdgeColor = [0.15, 0.15, 0.15]
+    body.LineWidth = 2
+    body.Ambient, body.Diffuse, body.Specular = 0.6, 0.42, 0.0
+    pv.ColorBy(body, ("POINTS", colours["field"]))
+    body.SetScalarBarVisibility(view, False)
+    table = pv.GetColorTransferFunction(colours["field"])
+    if array(grid, colours["field"]).ndim > 1:
+        table.VectorMode = "Magnitude"
+    table.RGBPoints = colour_points(colours)
+    return source
 
-    def aim(self, view):
-        view.CameraParallelProjection = 1
-        view.CameraParallelScale = self.half_height
-        view.CameraFocalPoint = list(self.focus)
-        view.CameraPosition = list(self.focus + self.distance * self.towards)
-        view.CameraViewUp = list(self.up)
+
+def colour_points(colours):
+    """Matplotlib's map, so that the colour bar drawn with it agrees."""
+    low, high = colours["range"]
+    colour = matplotlib.colormaps[colours["map"]]
+    return [number for t in np.linspace(0, 1, 65)
+            for number in (low + t * (high - low), *colour(t)[:3])]
+
+
+def draw_outline(view, grid):
+    """The edges of the body at rest."""
+    whole = pv.CleantoGrid(Input=produce(grid))  # elements come unconnected
+    surface = pv.ExtractSurface(Input=whole)
+    surface.NonlinearSubdivisionLevel = 2
+    edges = pv.FeatureEdges(Input=surface)
+    edges.NonManifoldEdges = 0
+    outline = pv.Show(edges, view)
+    outline.ColorArrayName = ["POINTS", ""]
+    outline.AmbientColor = outline.DiffuseColor = [0.6, 0.6, 0.6]
+    outline.LineWidth = 1.5
+    return edges
+
+
+def produce(grid):
+    source = pv.TrivialProducer()
+    source.GetClientSideObject().SetOutput(grid)
+    return source
+
+
+def subdivisions(n_cells):
+    """How finely curved faces are drawn; many small ones need it less."""
+    return 4 if n_cells < 1000 else 2 if n_cells < 20000 else 1
+
+
+main(json.loads(sys.argv[1]))

@@ -22,7 +22,7 @@ class RunDirectory:
         force = self.parameters.get("Force unit", "")
         if field == "displacement":
             return length
-        return f"{force}/{length}^2" if length and force else ""
+        return f"{force}/{length}²" if length and force else ""
 
     def events(self, frame):
         return [line for line in self.statistics if line["frame"] == frame]

@@ -18,7 +18,7 @@ SolverParameters::declare(ParameterHandler &handler)
   Setsudan::declare(handler,
                     "Solver",
                     "Direct up to",
-                    "30000",
+                    "20000",
                     Patterns::Integer(0),
                     "With auto, bodies of at most so many unknowns are solved "
                     "directly [-].");

@@ -1,0 +1,72 @@
+// Rows, board and lever rule of the blade, without solving.
+
+#include <setsudan/cut/seam.h>
+#include <setsudan/simulation/cut_body.h>
+
+#include "../test_setup.h"
+
+using namespace Setsudan;
+
+void
+print_rows(const std::string &elements,
+           const std::string &surface,
+           const std::string &direction,
+           const std::string &release)
+{
+  const Parameters parameters("test",
+                              {{"Body", "Elements", elements, ""},
+                               {"Support", "Fixed faces", "bottom", ""},
+                               {"Cut", "Surfaces", surface, ""},
+                               {"Blade", "Direction", direction, ""},
+                               {"Division", "Release", release, ""}},
+                              Scene<3>::declare);
+  const Scene<3> scene(parameters);
+  CutBody<3> body(scene, MPI_COMM_WORLD);
+  body.approach(make_cut_surface(scene.body, scene.cut.surfaces[0]));
+  std::cout << elements << " " << surface << " along " << direction << ", "
+            << release << ":" << std::endl;
+  for (const auto &row : body.seam().rows())
+    {
+      std::cout << "  depth " << row.depth << ", " << row.pairs.size()
+                << " nodes, front";
+      for (const unsigned int pair : row.front)
+        std::cout << " " << body.seam().pairs()[pair].number;
+      std::cout << std::endl;
+    }
+}
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    print_rows("1,2,1", "y:1", "0,0,-1", "node row");
+    print_rows("2,2,2", "y:1", "0,0,-1", "node row");
+    print_rows("2,2,2", "y:1", "0,0,-1", "element row");
+    print_rows("2,2,2", "y:1", "-1,0,0", "element row");
+    print_rows("2,2,2", "z:1", "0,1,0", "node row");
+
+    // Loads between, on and at the ends of the nodes 0, 1, 4, 10.
+    const std::vector<EdgeLoad> loads = {
+      {0, 1}, {.25, 8}, {4, 2}, {7, 6}, {10, 3}};
+    const std::vector<double> nodes = {0, 1, 4, 10};
+    std::vector<double> forces(nodes.size());
+    double force = 0, moment = 0;
+    for (const auto &load : loads)
+      {
+        force -= load.force;
+        moment -= load.position * load.force;
+      }
+    for (const auto &share : share_edge_loads(loads, nodes))
+      forces[share.node] += share.force;
+    std::cout << "lever rule:";
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      {
+        std::cout << " " << forces[n];
+        force += forces[n];
+        moment += nodes[n] * forces[n];
+      }
+    std::cout << std::endl;
+    check_below("force", std::abs(force), 1e-14);
+    check_below("moment", std::abs(moment), 1e-13);
+  });
+}

@@ -1,0 +1,127 @@
+// The stiffness matrix of an element: symmetric, without resistance to rigid
+// motions and to nothing else, the right energy; and integrated once for all
+// elements of a box.
+
+#include <setsudan/elasticity/stiffness.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <cmath>
+
+#include "../parameters/check.h"
+#include "../test_setup.h"
+#include "small_model.h"
+
+using namespace Setsudan;
+using namespace dealii;
+
+template <int dim>
+CoarseMesh<dim>
+box(const std::string &n_elements)
+{
+  return SmallBody<dim>({"Body/Elements=" + n_elements}).body.mesh;
+}
+
+
+template <int dim>
+void
+test_matrix(const std::string &name,
+            const CoarseMesh<dim> &mesh,
+            const double nu)
+{
+  const Discretization<dim> discretization(mesh, MPI_COMM_WORLD);
+  ElementStiffness<dim> stiffness(discretization, Hooke(5., nu));
+  const auto cell = discretization.dof_handler.begin_active();
+  const FullMatrix<double> matrix(stiffness(cell));
+  const unsigned int n = matrix.m();
+
+  double asymmetry = 0;
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+      asymmetry = std::max(asymmetry, std::abs(matrix(i, j) - matrix(j, i)));
+  LAPACKFullMatrix<double> lapack(n);
+  lapack = matrix;
+  FullMatrix<double> vectors;
+  Vector<double> eigenvalues;
+  // All are found if none is negative.
+  const double bound = matrix.frobenius_norm();
+  lapack.compute_eigenvalues_symmetric(
+    -1e-12 * bound, 2 * bound, 1e-15 * bound, eigenvalues, vectors);
+  unsigned int n_zero = 0;
+  for (const double value : eigenvalues)
+    n_zero += value < 1e-12 * bound;
+
+  std::cout << dim << "D, " << name << ", nu = " << nu << ": " << n
+            << " unknowns, " << eigenvalues.size()
+            << " eigenvalues not negative, " << n_zero << " zero" << std::endl;
+  check_below("asymmetry", asymmetry, 0.);
+}
+
+
+/** In a uniform strain the nodes' work is twice the strain energy. */
+template <int dim>
+void
+test_energy(const std::string &n_elements)
+{
+  const CoarseMesh<dim> mesh = distorted(box<dim>(n_elements));
+  const Discretization<dim> discretization(mesh, MPI_COMM_WORLD);
+  const Hooke hooke(5., 0.3);
+  ElementStiffness<dim> stiffness(discretization, hooke);
+
+  Tensor<2, dim> gradient;
+  for (unsigned int a = 0; a < dim; ++a)
+    for (unsigned int b = 0; b < dim; ++b)
+      gradient[a][b] = 0.1 * (a + 1) - 0.03 * b * b;
+  const auto u =
+    nodal_values(discretization, [&](const Point<dim> &p) { return gradient * p; });
+  const LA::Vector forces =
+    internal_forces(discretization, stiffness, discretization.with_ghosts(u));
+
+  const SymmetricTensor<2, dim> strain = symmetrize(gradient);
+  const auto stress                    = hooke.stress(strain);
+  double density = 0, volume = 0;
+  for (unsigned int a = 0; a < dim; ++a)
+    for (unsigned int b = 0; b < dim; ++b)
+      density += strain[a][b] * stress[a][b];
+  for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+    volume += mesh.cell_volume(cell);
+  check_below("energy of a uniform strain, relative error",
+              std::abs(u * forces / (volume * density) - 1),
+              1e-12);
+}
+
+
+template <int dim>
+void
+count_integrations(const std::string &name, const CoarseMesh<dim> &mesh)
+{
+  const Discretization<dim> discretization(mesh, MPI_COMM_WORLD);
+  ElementStiffness<dim> stiffness(discretization, Hooke(5., 0.2));
+  for (unsigned int repeat = 0; repeat < 2; ++repeat)
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      stiffness(cell);
+  std::cout << dim << "D, " << name << ", " << mesh.cells.size()
+            << " elements, twice: " << stiffness.n_integrations()
+            << " integrations" << std::endl;
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    for (const double nu : {0.2, 0., -0.9, 0.4999})
+      {
+        test_matrix("square", box<2>("1, 1"), nu);
+        test_matrix("distorted", distorted(box<2>("1, 1")), nu);
+        test_matrix("cube", box<3>("1, 1, 1"), nu);
+        test_matrix("distorted", distorted(box<3>("1, 1, 1")), nu);
+      }
+    test_energy<2>("3, 2");
+    test_energy<3>("2, 3, 2");
+    count_integrations("box", box<2>("13, 7"));
+    count_integrations("box", box<3>("13, 7, 3"));
+    count_integrations("distorted", distorted(box<3>("2, 1, 1")));
+  });
+}

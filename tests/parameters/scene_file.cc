@@ -1,0 +1,128 @@
+// The reader of scene files: comments, continued lines, included files, nested
+// subsections, and where each entry was written.
+
+#include <setsudan/parameters/scene_file.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "../test_setup.h"
+#include "check.h"
+
+using namespace Setsudan;
+
+void
+write_file(const std::string &name, const std::string &text)
+{
+  std::ofstream(name, std::ios::binary) << text;
+}
+
+
+void
+print_entries(const std::string &name)
+{
+  std::cout << name << std::endl;
+  for (const SceneEntry &entry : read_scene_file(name))
+    std::cout << "  at " << entry.location << " [" << entry.subsection << "] ["
+              << entry.name << "] = [" << entry.value << "]" << std::endl;
+}
+
+
+void
+test_syntax()
+{
+  write_file("syntax.prm",
+             "# a comment\n"
+             "\n"
+             "set Dimension = 3 # another\n"
+             "  set\tLength unit=a unit \n"
+             "subsection Outer room\n"
+             "  set A = 1\n"
+             "  subsection Inner\n"
+             "    set B = x = y\n"
+             "    set Empty =\n"
+             "  end\n"
+             "  set C = 1, \\\n"
+             "          2, \\\n"
+             "          3\n"
+             "  set Dimension = 2\n"
+             "end\n"
+             "set Last = no line end");
+  print_entries("syntax.prm");
+}
+
+
+void
+test_line_ends()
+{
+  write_file("line_ends.prm",
+             "subsection A\r\n  set B = 1, \\\r\n 2\r\nend\r\nset C = 3\r\n");
+  print_entries("line_ends.prm");
+  write_file("empty.prm", "");
+  print_entries("empty.prm");
+}
+
+
+/** An included file is found from the file that includes it, and may stand
+ * within a subsection only in the sense that its own are complete. */
+void
+test_include()
+{
+  std::filesystem::create_directories("parts/deeper");
+  write_file("including.prm",
+             "set Before = 1\n"
+             "include parts/part.prm\n"
+             "set After = 2\n");
+  write_file("parts/part.prm",
+             "subsection P\n  set Q = 3\nend\ninclude deeper/last.prm\n");
+  write_file("parts/deeper/last.prm", "\n\nset Before = 4\n");
+  print_entries("including.prm");
+}
+
+
+void
+test_refusals()
+{
+  const auto refuse = [](const std::string &text) {
+    write_file("wrong.prm", text);
+    print_refusal([] { read_scene_file("wrong.prm"); });
+  };
+  refuse("set Dimension = 3\nsett Dimension = 3\n");
+  refuse("set Dimension\n");
+  refuse("set = 3\n");
+  refuse("# \\\nset A = 1 \\\n\\\n  2\nend\n");
+  refuse("subsection A\nend\nend\n");
+  refuse("subsection A\n  subsection B\n  end\nset C = 1\n");
+  print_refusal([] { read_scene_file("missing.prm"); });
+  print_refusal([] { read_scene_file("parts"); });
+}
+
+
+void
+test_assignments()
+{
+  for (const std::string &text : {"Dimension=2",
+                                  " Body/Size = 1, 2, 3 ",
+                                  "Outer/Inner/A=b=c",
+                                  "Body/Size="})
+    {
+      const SceneEntry entry = parse_assignment(text);
+      std::cout << entry.location << " [" << entry.subsection << "] ["
+                << entry.name << "] = [" << entry.value << "]" << std::endl;
+    }
+  print_refusal([] { parse_assignment("Body/Size"); });
+  print_refusal([] { parse_assignment("=3"); });
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    test_syntax();
+    test_line_ends();
+    test_include();
+    test_refusals();
+    test_assignments();
+  });
+}

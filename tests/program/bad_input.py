@@ -1,0 +1,123 @@
+"""Scenes with one thing wrong: the program says in one line what and where, and
+writes nothing.
+
+usage: bad_input.py PROGRAM GROUP
+"""
+
+import sys
+
+from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
+from program_cases import wrong_text, wrong_value
+from wrong_values import WRONG_VALUES
+
+GOOD_TEXT, LINES = scene_text(SCENE)
+N_LINES = len(GOOD_TEXT.splitlines())
+
+
+def behind(line, number=N_LINES + 1):
+    """The message about a line that is put behind the good scene."""
+    return GOOD_TEXT + line + "\n", f"scene.prm:{number}: "
+
+
+def wrong_line(line, *pieces):
+    text, place = behind(line)
+    return wrong_text(f"line '{line}'", text, place, *pieces)
+
+
+def wrong_option(*arguments, pieces, files=None):
+    return Case(
+        " ".join(arguments),
+        ["scene.prm", *arguments],
+        {"scene.prm": GOOD_TEXT, **(files or {})},
+        1,
+        pieces,
+    )
+
+
+def no_scene(name, *pieces, files=None):
+    return Case(name, [name], files or {}, 1, pieces)
+
+
+def syntax():
+    subsection = "subsection Body\n"
+    yield wrong_line("set Nonsense = 1", "no parameter 'Nonsense'")
+    yield wrong_line("set size = 1", "no parameter 'size'")
+    yield wrong_text(
+        "unknown name",
+        GOOD_TEXT + subsection + "  set Sise = 1, 1, 1\nend\n",
+        f"scene.prm:{N_LINES + 2}: ",
+        "no parameter subsection Body, 'Sise'",
+    )
+    for path in ("Bodies", "body", "Body/Inner"):
+        yield wrong_text(
+            "subsection " + path,
+            scene_text({path + "/Size": "1, 1, 1", **SCENE})[0],
+            "scene.prm:2: there is no subsection '" + path + "'",
+        )
+    for line in ("sett Dimension = 3", "Dimension = 3", "set Dimension"):
+        yield wrong_line(line, f"'{line}' is not understood")
+    for line in ("set = 3", "subsection", "end", "include", "<xml>"):
+        yield wrong_line(line, f"'{line}' is not understood")
+    yield wrong_text(
+        "missing end", GOOD_TEXT + subsection, "scene.prm:", "'Body' has no 'end'"
+    )
+    yield wrong_text(
+        "end with a name", subsection + "end Body\n", "scene.prm:2: 'end Body'"
+    )
+    yield wrong_line("include scene.prm", "includes itself")
+    yield wrong_line("include missing.prm", "'missing.prm' cannot be read")
+    yield wrong_line("include .", "cannot be read")
+    yield wrong_text(
+        "error in an included file",
+        "# first\ninclude parts/part.prm\n",
+        "parts/part.prm:2: 'garbage' is not understood",
+        files={"parts/part.prm": "# first\ngarbage\n"},
+    )
+    yield no_scene("missing.prm", "'missing.prm' cannot be read")
+    yield no_scene("folder", "'folder' cannot be read", files={"folder/file": ""})
+    yield wrong_option("--set", "Body/Elements", pieces=["--set", "'Body/Elements'"])
+    yield wrong_option("--set", "=3", pieces=["--set", "'=3'"])
+    yield wrong_option("--set", "Body/=3", pieces=["--set: "])
+    yield wrong_option("--set", "Bodi/Size=1", pieces=["--set: ", "subsection 'Bodi'"])
+    yield wrong_option("--set", "Body/Sise=1", pieces=["--set: ", "Body, 'Sise'"])
+    yield wrong_option(
+        "--set", "Body/Size=1,1", pieces=["--set: subsection Body, 'Size' is '1,1'"]
+    )
+    yield wrong_option("--set", "Dimension=4", pieces=["--set: 'Dimension' is '4'"])
+
+
+def output():
+    unwritable = ["cannot be written", "Not a directory", "Output/Directory"]
+    for directory in ("scene.prm/below", "scene.prm"):
+        yield wrong_text(
+            "Directory = " + directory,
+            scene_text({**SCENE, "Output/Directory": directory})[0],
+            f"'{directory}'",
+            *unwritable,
+        )
+        yield wrong_option(
+            "--output", directory, pieces=[f"'{directory}'", *unwritable]
+        )
+    yield wrong_option("--output", "", pieces=["--output: ", "'Directory' is ''"])
+
+
+def support():
+    values = {k: v for k, v in SCENE.items() if not k.startswith("Support")}
+    yield wrong_text(
+        "no support at all",
+        scene_text(values)[0],
+        "scene.prm (default value): subsection Support, 'Fixed faces' is ''",
+        "free to move rigidly in 6 ways",
+    )
+
+
+def cases(group):
+    for dimension, base in ((3, SCENE), (2, PLANE_SCENE)):
+        for path, value, allowed, *also in WRONG_VALUES.get((group, dimension), []):
+            yield wrong_value(path, value, allowed, base, *also)
+    special = {"syntax": syntax, "output": output, "support": support}
+    yield from special.get(group, lambda: [])()
+
+
+if __name__ == "__main__":
+    sys.exit(run_cases(sys.argv[1], list(cases(sys.argv[2]))))

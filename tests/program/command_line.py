@@ -1,0 +1,95 @@
+"""The command line: what is wrong with it ends with status 2, what only asks for
+something with status 0, and none of it writes a file.
+
+usage: command_line.py PROGRAM
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
+
+SCENES = {"scene.prm": scene_text(SCENE)[0], "plane.prm": scene_text(PLANE_SCENE)[0]}
+WINDOWS_SCENE = {"scene.prm": SCENES["scene.prm"].replace("\n", "\r\n")}
+
+
+def case(status, arguments, *pieces, files=None):
+    name = "setsudan " + " ".join(arguments)
+    return Case(name, arguments, files or SCENES, status, pieces)
+
+
+CASES = [
+    case(2, [], "SCENE"),
+    case(2, ["--nonsense"], "--nonsense"),
+    case(2, ["scene.prm", "--nonsense"], "--nonsense"),
+    case(2, ["scene.prm", "plane.prm"], "plane.prm"),
+    case(2, ["scene.prm", "--set"], "--set"),
+    case(2, ["scene.prm", "--output"], "--output"),
+    case(2, ["--validate"], "SCENE"),
+    case(0, ["--help"], "SCENE", "--set", "--output", "--validate", "--version"),
+    case(0, ["--version"], "setsudan "),
+    case(0, ["scene.prm", "--validate"], "scene.prm is a valid scene"),
+    case(0, ["plane.prm", "--validate"], "plane.prm is a valid scene"),
+    case(0, ["--validate", "--set", "Body/Elements=1,4,2", "scene.prm"], "valid"),
+    case(0, ["scene.prm", "--validate"], "valid", files=WINDOWS_SCENE),
+    case(0, ["--print-parameters"], "subsection Material", "set Young's modulus"),
+    case(0, ["plane.prm", "--print-parameters"], "set Size     = 10, 10 "),
+    case(0, ["--print-parameters", "--set", "Body/Size=7,8,9"], "7,8,9"),
+]
+
+
+def run(program, arguments, directory):
+    return subprocess.run(
+        [program, *arguments],
+        cwd=directory,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        universal_newlines=True,
+        timeout=60,
+    )
+
+
+def check_printed_parameters(program, arguments, options=()):
+    """What --print-parameters prints is a scene, and prints the same again."""
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        for file, text in SCENES.items():
+            (directory / file).write_text(text)
+        printed = run(program, [*arguments, "--print-parameters"], directory)
+        (directory / "printed.prm").write_text(printed.stdout)
+        valid = run(program, ["printed.prm", "--validate", *options], directory)
+        again = run(program, ["printed.prm", "--print-parameters", *options], directory)
+    if valid.returncode == 0 and (options or again.stdout == printed.stdout):
+        return 0
+    print(f"FAILED: printed parameters of {arguments}: {valid.stderr.strip()}")
+    return 1
+
+
+def check_run(program):
+    """A scene that is right runs, and an arrest is a result."""
+    failures = 0
+    for options in ([], ["--set", "Material/Shear limit=1e9"]):
+        with tempfile.TemporaryDirectory() as name:
+            directory = pathlib.Path(name)
+            (directory / "scene.prm").write_text(SCENES["scene.prm"])
+            result = run(program, ["scene.prm", "--output", "here", *options], directory)
+            table = (directory / "here" / "statistics.csv").read_text()
+        arrested = ",arrest," in table
+        if result.returncode != 0 or arrested != bool(options):
+            failures += 1
+            print(f"FAILED: a run with {options}: {result.stderr.strip()}")
+    return failures
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv[1]
+    FAILURES = run_cases(PROGRAM, CASES)
+    FAILURES += check_printed_parameters(PROGRAM, ["scene.prm"])
+    FAILURES += check_printed_parameters(PROGRAM, ["plane.prm"])
+    # By default nothing holds the body, since no face is the obvious one.
+    SUPPORT = ["--set", "Support/Fixed faces=bottom"]
+    FAILURES += check_printed_parameters(PROGRAM, [], SUPPORT)
+    FAILURES += check_run(PROGRAM)
+    sys.exit(1 if FAILURES else 0)

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Run a scene and compare its statistics with an expected table.
+
+Columns of numbers must agree to the tolerance, relative to the largest value
+in the column; residuals must be small; the time is not compared. With
+--update the expected table is written instead.
+"""
+
+import argparse
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import tables
+
+LARGEST_RESIDUAL = 1e-8
+RESIDUALS = ("force_residual", "moment_residual")
+NOT_COMPARED = ("seconds",) + RESIDUALS
+
+
+def run(program, scene, processes, directory, mpiexec):
+    command = [program, scene, "--output", directory]
+    if processes > 1:
+        command = [mpiexec, "-np", str(processes)] + command
+    result = subprocess.run(command, capture_output=True, text=True)
+    if result.returncode != 0:
+        sys.exit(f"exit status {result.returncode}\n{result.stderr}")
+    return tables.read(pathlib.Path(directory) / "statistics.csv")
+
+
+def column_errors(lines, expected, tolerance):
+    """Messages for the columns in which two tables differ."""
+    for column in expected[0]:
+        if column in NOT_COMPARED:
+            continue
+        if column == "event":
+            same = [line[column] for line in lines] == [line[column] for line in expected]
+            if not same:
+                yield "the events differ"
+            continue
+        values = [float(line[column]) for line in lines]
+        others = [float(line[column]) for line in expected]
+        scale = max(map(abs, others))
+        error = max(tables.relative_error(a, b, scale) for a, b in zip(values, others))
+        if not error <= tolerance:
+            yield f"{column} differs by {error:.2e} of its largest value"
+
+
+def residual_errors(lines):
+    for column in RESIDUALS:
+        largest = max(float(line[column]) for line in lines)
+        if not (math.isfinite(largest) and largest <= LARGEST_RESIDUAL):
+            yield f"{column} reaches {largest:.2e}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--scene", required=True)
+    parser.add_argument("--expected", required=True)
+    parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--tolerance", type=float, default=1e-8)
+    parser.add_argument("--mpiexec", default="mpirun")
+    parser.add_argument("--update", action="store_true")
+    options = parser.parse_args()
+
+    with tempfile.TemporaryDirectory() as directory:
+        lines = run(options.program, options.scene, options.processes,
+                    directory, options.mpiexec)
+        if options.update:
+            written = pathlib.Path(directory) / "statistics.csv"
+            pathlib.Path(options.expected).write_text(written.read_text())
+            return
+    expected = tables.read(options.expected)
+    if len(lines) != len(expected):
+        sys.exit(f"{len(lines)} events instead of {len(expected)}")
+    errors = list(column_errors(lines, expected, options.tolerance))
+    errors += residual_errors(lines)
+    if errors:
+        sys.exit("\n".join(errors))
+    print(f"{len(lines)} events agree to {options.tolerance}")
+
+
+main()
