@@ -1,0 +1,158 @@
+"""Pictures and tables of doc/kakefuda_1996.md, from the painted runs."""
+
+import csv
+import os
+import re
+import shutil
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt  # noqa: E402
+from panel import Pictures, legend, stage  # noqa: E402
+from run_directory import RunDirectory  # noqa: E402
+
+RESULTS = "results/kakefuda_1996"
+IMAGES = "doc/images"
+REPORT = "doc/kakefuda_1996.md"
+SCENES = {"cut": "the paper's scene", "figure_6_left": "E = 2.5",
+          "figure_6_right": "E = 10", "figure_7_left": "ν = 0.1",
+          "figure_7_right": "ν = 0.4", "figure_8_left": "limit 1, ramp",
+          "figure_8_right": "limit 2, ramp"}
+FINE = "figure_6_left_fine"
+MEASURES = [("cutting_stress", "cutting stress [gf/cm²]"),
+            ("blade_force", "blade force [gf]"),
+            ("max_displacement", "largest displacement [cm]"),
+            ("max_strain", "largest strain"),
+            ("width_x", "width along x [cm]"),
+            ("width_y", "width along y [cm]"),
+            ("rise", "rise of the edge [cm]")]
+STATEMENTS = [
+    ("6", "stiffer: smaller deformation", "max_displacement", "falls"),
+    ("7", "larger ν: wider across the force, along x", "width_x", "grows"),
+    ("7", "larger ν: wider across the force, along y", "width_y", "grows"),
+    ("8", "larger limit: more deformation before the split",
+     "max_displacement", "grows"),
+    ("8", "larger limit: more force before the split", "blade_force",
+     "grows")]
+
+
+def main():
+    os.makedirs(IMAGES, exist_ok=True)
+    shutil.copy(f"{RESULTS}/cut/render/film_strip.png", IMAGES)
+    draw_beside("figure_6", [1])
+    draw_beside("figure_7", [1])
+    draw_beside("figure_8", [1, 2])
+    measured = {name: measure(name) for name in (*SCENES, FINE)}
+    fill_report({"rows": rows_table(), "scenes": scenes_table(measured),
+                 "statements": statements_table(measured),
+                 "edge": edge_table(measured)})
+
+
+def draw_beside(figure_name, frames):
+    """The same frames of a figure's left and right scene."""
+    sides = [Pictures(read_run(f"{figure_name}_{side}"))
+             for side in ("left", "right")]
+    n = 2 * len(frames)
+    panel = 8.4 / n if n > 2 else 3.9
+    figure = plt.figure(figsize=(panel * n, panel + 1.15))
+    grid = figure.add_gridspec(2, n, height_ratios=[30, 1], left=0.01,
+                               right=0.99, top=0.86, bottom=0.17, wspace=0.03,
+                               hspace=0.08)
+    for column in range(n):
+        pictures, frame = sides[column // len(frames)], \
+            frames[column % len(frames)]
+        side = f"{figure_name}_{('left', 'right')[column // len(frames)]}"
+        axes = figure.add_subplot(grid[0, column])
+        pictures.draw(axes, frame, font_size=8)
+        axes.set_title(f"{SCENES[side]}\n{stage(pictures.run, frame)}",
+                       fontsize=9)
+    bar = grid[1, :].subgridspec(1, 3)
+    sides[0].draw_colours(figure, figure.add_subplot(bar[1]),
+                          orientation="horizontal")
+    figure.text(0.01, 0.012, legend(sides[0].run), fontsize=7)
+    figure.savefig(f"{IMAGES}/{figure_name}.png", dpi=110)
+    plt.close(figure)
+
+
+def read_run(name):
+    return RunDirectory(os.path.join(RESULTS, name))
+
+
+def measure(name):
+    """Numbers of the first deformed state."""
+    folder = os.path.join(RESULTS, name)
+    with open(f"{folder}/statistics.csv", newline="") as table:
+        state = next(line for line in csv.DictReader(table)
+                     if line["event"] == "deform")
+    with open(f"{folder}/nodes_0001.csv", newline="") as table:
+        nodes = [{key: float(line[key]) for key in
+                  ("x", "y", "z", "ux", "uy", "uz")}
+                 for line in csv.DictReader(table)]
+    numbers = {key: float(state[key]) for key, _ in MEASURES if key in state}
+    for axis in "xy":
+        places = [node[axis] + node["u" + axis] for node in nodes]
+        numbers["width_" + axis] = max(places) - min(places)
+    edge = {node["x"]: node["uz"] for node in nodes
+            if (node["y"], node["z"]) == (10, 10)}
+    numbers["rise"] = edge[5] - edge[10]
+    return numbers
+
+
+def rows_table():
+    lines = [line for line in read_run("cut").statistics
+             if line["event"] == "deform"]
+    return table(["row", "depth [cm]", "cutting stress [gf/cm²]",
+                  "required [gf/cm²]", "strain energy [gf cm]",
+                  "largest displacement [cm]"],
+                 [[str(line["row"] + 1), f"{line['depth']:g}",
+                   f"{line['cutting_stress']:.5g}",
+                   f"{line['required_stress']:g}",
+                   f"{line['strain_energy']:.5g}",
+                   f"{line['max_displacement']:.5g}"] for line in lines])
+
+
+def scenes_table(measured):
+    return table(["scene", "changed", *(title for _, title in MEASURES)],
+                 [[f"{name}.prm", change,
+                   *(f"{measured[name][key]:.4g}" for key, _ in MEASURES)]
+                  for name, change in SCENES.items()])
+
+
+def statements_table(measured):
+    lines = []
+    for figure, text, key, trend in STATEMENTS:
+        left = measured[f"figure_{figure}_left"][key]
+        right = measured[f"figure_{figure}_right"][key]
+        holds = right > left if trend == "grows" else right < left
+        lines.append([figure, text, dict(MEASURES)[key], f"{left:.4g}",
+                      f"{right:.4g}", "yes" if holds else "no"])
+    return table(["figure", "the paper says", "measured", "left", "right",
+                  "holds"], lines)
+
+
+def edge_table(measured):
+    return table(["scene", "elements", dict(MEASURES)["rise"]],
+                 [[f"{name}.prm", elements, f"{measured[name]['rise']:+.3f}"]
+                  for name, elements in (("figure_6_left", "1 × 2 × 1"),
+                                         ("figure_6_right", "1 × 2 × 1"),
+                                         (FINE, "4 × 8 × 4"))])
+
+
+def table(titles, lines):
+    rows = [titles, ["---"] * len(titles), *lines]
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def fill_report(tables):
+    """Put each table between its markers."""
+    with open(REPORT) as file:
+        text = file.read()
+    for name, content in tables.items():
+        text = re.sub(rf"(<!-- {name} -->\n).*?(<!-- end -->)",
+                      rf"\1\n{content}\n\n\2", text, flags=re.S)
+    with open(REPORT, "w") as file:
+        file.write(text)
+
+
+main()
