@@ -54,11 +54,12 @@ def draw_beside(figure_name, frames):
     sides = [Pictures(read_run(f"{figure_name}_{side}"))
              for side in ("left", "right")]
     n = 2 * len(frames)
-    panel = 8.4 / n if n > 2 else 3.9
-    figure = plt.figure(figsize=(panel * n, panel + 1.15))
+    panel = min(3.9, 10 / n)
+    height = panel + 1.3
+    figure = plt.figure(figsize=(panel * n, height))
     grid = figure.add_gridspec(2, n, height_ratios=[30, 1], left=0.01,
-                               right=0.99, top=0.86, bottom=0.17, wspace=0.03,
-                               hspace=0.08)
+                               right=0.99, top=1 - 0.5 / height,
+                               bottom=0.7 / height, wspace=0.03, hspace=0.06)
     for column in range(n):
         pictures, frame = sides[column // len(frames)], \
             frames[column % len(frames)]
@@ -70,7 +71,7 @@ def draw_beside(figure_name, frames):
     bar = grid[1, :].subgridspec(1, 3)
     sides[0].draw_colours(figure, figure.add_subplot(bar[1]),
                           orientation="horizontal")
-    figure.text(0.01, 0.012, legend(sides[0].run), fontsize=7)
+    figure.text(0.01, 0.05 / height, legend(sides[0].run), fontsize=7)
     figure.savefig(f"{IMAGES}/{figure_name}.png", dpi=110)
     plt.close(figure)
 

@@ -39,8 +39,7 @@ class Pictures:
 
         front = [pixel(arrow["tip"]) for arrow in state["arrows"]]
         if len(front) > 1:
-            axes.plot(*zip(*front), ":", color=BLUE, linewidth=1.8,
-                      path_effects=HALO)
+            axes.plot(*zip(*front), "--", color=BLUE, linewidth=1)
         for arrow in state["arrows"]:
             drawn = axes.annotate(
                 f"{arrow['force']:.3g}", xy=pixel(arrow["tip"]),
@@ -67,7 +66,7 @@ class Pictures:
 def legend(run):
     force = run.parameters.get("Force unit", "")
     unit = f" [{force}]" if force else ""
-    return f"Arrows: forces of the blade{unit}. Dotted: the row they act on " \
+    return f"Arrows: forces of the blade{unit}. Dashed: the row they act on " \
            "next. Grey: the body at rest."
 
 

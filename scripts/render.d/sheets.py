@@ -74,10 +74,16 @@ def draw_film_strip(pictures, name):
 
 def animate(files, name):
     seconds = min(LONGEST, max(SHORTEST, SHOWN / len(files)))
-    images = [Image.open(file).convert("RGB").quantize(128) for file in files]
+    images = [with_palette(Image.open(file).convert("RGB")) for file in files]
     durations = [int(1000 * seconds)] * (len(images) - 1) + [2500]
     images[0].save(name, save_all=True, append_images=images[1:], loop=0,
                    duration=durations)
+
+
+def with_palette(image):
+    """The 256 colours of a GIF, rare ones as the arrows' among them."""
+    palette = image.quantize(256, method=Image.Quantize.MAXCOVERAGE)
+    return image.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
 
 
 def plot_forces(run, name):

@@ -127,8 +127,12 @@ template struct BodyParameters<2>;
 template struct BodyParameters<3>;
 template struct Body<2>;
 template struct Body<3>;
-template bool find_face<2>(const std::string &, types::boundary_id &);
-template bool find_face<3>(const std::string &, types::boundary_id &);
-template std::string face_names<2>();
-template std::string face_names<3>();
+template bool
+find_face<2>(const std::string &, types::boundary_id &);
+template bool
+find_face<3>(const std::string &, types::boundary_id &);
+template std::string
+face_names<2>();
+template std::string
+face_names<3>();
 } // namespace Setsudan

@@ -172,8 +172,12 @@ template std::vector<std::vector<unsigned int>>
 collect_neighbors(const CoarseMesh<2> &);
 template std::vector<std::vector<unsigned int>>
 collect_neighbors(const CoarseMesh<3> &);
-template void create_triangulation(const CoarseMesh<2> &, Triangulation<2> &);
-template void create_triangulation(const CoarseMesh<3> &, Triangulation<3> &);
-template std::vector<unsigned int> find_pieces(const CoarseMesh<2> &);
-template std::vector<unsigned int> find_pieces(const CoarseMesh<3> &);
+template void
+create_triangulation(const CoarseMesh<2> &, Triangulation<2> &);
+template void
+create_triangulation(const CoarseMesh<3> &, Triangulation<3> &);
+template std::vector<unsigned int>
+find_pieces(const CoarseMesh<2> &);
+template std::vector<unsigned int>
+find_pieces(const CoarseMesh<3> &);
 } // namespace Setsudan

@@ -43,10 +43,16 @@ node_is_on_face(const unsigned int node, const unsigned int face)
 
 
 
-template std::array<unsigned int, 2> vertices_of_node<2>(const unsigned int);
-template std::array<unsigned int, 2> vertices_of_node<3>(const unsigned int);
-template Point<2> unit_point_of_node<2>(const unsigned int);
-template Point<3> unit_point_of_node<3>(const unsigned int);
-template bool node_is_on_face<2>(const unsigned int, const unsigned int);
-template bool node_is_on_face<3>(const unsigned int, const unsigned int);
+template std::array<unsigned int, 2>
+vertices_of_node<2>(const unsigned int);
+template std::array<unsigned int, 2>
+vertices_of_node<3>(const unsigned int);
+template Point<2>
+unit_point_of_node<2>(const unsigned int);
+template Point<3>
+unit_point_of_node<3>(const unsigned int);
+template bool
+node_is_on_face<2>(const unsigned int, const unsigned int);
+template bool
+node_is_on_face<3>(const unsigned int, const unsigned int);
 } // namespace Setsudan

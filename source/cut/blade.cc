@@ -234,14 +234,16 @@ template struct BladeParameters<2>;
 template struct BladeParameters<3>;
 template struct BladeEdge<2>;
 template struct BladeEdge<3>;
-template void check_blade(const Parameters &,
-                          const BladeParameters<2> &,
-                          const Body<2> &,
-                          const Supports<2> &,
-                          const CutSurface<2> &);
-template void check_blade(const Parameters &,
-                          const BladeParameters<3> &,
-                          const Body<3> &,
-                          const Supports<3> &,
-                          const CutSurface<3> &);
+template void
+check_blade(const Parameters &,
+            const BladeParameters<2> &,
+            const Body<2> &,
+            const Supports<2> &,
+            const CutSurface<2> &);
+template void
+check_blade(const Parameters &,
+            const BladeParameters<3> &,
+            const Body<3> &,
+            const Supports<3> &,
+            const CutSurface<3> &);
 } // namespace Setsudan

@@ -87,6 +87,8 @@ make_cut_surface(const Body<dim> &body, const AxisCut &cut)
 
 template struct CutParameters<2>;
 template struct CutParameters<3>;
-template CutSurface<2> make_cut_surface(const Body<2> &, const AxisCut &);
-template CutSurface<3> make_cut_surface(const Body<3> &, const AxisCut &);
+template CutSurface<2>
+make_cut_surface(const Body<2> &, const AxisCut &);
+template CutSurface<3>
+make_cut_surface(const Body<3> &, const AxisCut &);
 } // namespace Setsudan

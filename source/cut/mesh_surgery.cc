@@ -38,7 +38,8 @@ public:
   }
 
   /** The vertices of the cut, in order, each with its fan of cells. */
-  const std::map<unsigned int, std::vector<unsigned int>> &at_vertices() const
+  const std::map<unsigned int, std::vector<unsigned int>> &
+  at_vertices() const
   {
     return cells_at;
   }
@@ -127,6 +128,8 @@ split_mesh(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface)
 
 
 
-template CoarseMesh<2> split_mesh(const CoarseMesh<2> &, const CutSurface<2> &);
-template CoarseMesh<3> split_mesh(const CoarseMesh<3> &, const CutSurface<3> &);
+template CoarseMesh<2>
+split_mesh(const CoarseMesh<2> &, const CutSurface<2> &);
+template CoarseMesh<3>
+split_mesh(const CoarseMesh<3> &, const CutSurface<3> &);
 } // namespace Setsudan

@@ -128,10 +128,12 @@ collect_node_pairs(const ElasticModel<dim> &model,
 
 template struct NodePair<2>;
 template struct NodePair<3>;
-template std::vector<NodePair<2>> collect_node_pairs(const ElasticModel<2> &,
-                                                     const CutSurface<2> &,
-                                                     const Body<2> &);
-template std::vector<NodePair<3>> collect_node_pairs(const ElasticModel<3> &,
-                                                     const CutSurface<3> &,
-                                                     const Body<3> &);
+template std::vector<NodePair<2>>
+collect_node_pairs(const ElasticModel<2> &,
+                   const CutSurface<2> &,
+                   const Body<2> &);
+template std::vector<NodePair<3>>
+collect_node_pairs(const ElasticModel<3> &,
+                   const CutSurface<3> &,
+                   const Body<3> &);
 } // namespace Setsudan

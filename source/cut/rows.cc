@@ -125,12 +125,14 @@ make_rows(const std::vector<NodePair<dim>> &pairs,
 
 
 
-template std::vector<Row> make_rows(const std::vector<NodePair<2>> &,
-                                    const Tensor<1, 2> &,
-                                    const BladeEdge<2> &,
-                                    const DivisionParameters::Release);
-template std::vector<Row> make_rows(const std::vector<NodePair<3>> &,
-                                    const Tensor<1, 3> &,
-                                    const BladeEdge<3> &,
-                                    const DivisionParameters::Release);
+template std::vector<Row>
+make_rows(const std::vector<NodePair<2>> &,
+          const Tensor<1, 2> &,
+          const BladeEdge<2> &,
+          const DivisionParameters::Release);
+template std::vector<Row>
+make_rows(const std::vector<NodePair<3>> &,
+          const Tensor<1, 3> &,
+          const BladeEdge<3> &,
+          const DivisionParameters::Release);
 } // namespace Setsudan

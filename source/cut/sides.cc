@@ -37,8 +37,8 @@ find_sides(const CoarseMesh<dim> &split, const CutSurface<dim> &surface)
 
 
 
-template std::vector<int> find_sides(const CoarseMesh<2> &,
-                                     const CutSurface<2> &);
-template std::vector<int> find_sides(const CoarseMesh<3> &,
-                                     const CutSurface<3> &);
+template std::vector<int>
+find_sides(const CoarseMesh<2> &, const CutSurface<2> &);
+template std::vector<int>
+find_sides(const CoarseMesh<3> &, const CutSurface<3> &);
 } // namespace Setsudan

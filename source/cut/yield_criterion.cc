@@ -138,12 +138,14 @@ find_yield_load(const FrontStresses &base,
 
 
 
-template FrontStresses front_stresses(const ElasticModel<2> &,
-                                      const Seam<2> &,
-                                      const Row &,
-                                      const LA::Vector &);
-template FrontStresses front_stresses(const ElasticModel<3> &,
-                                      const Seam<3> &,
-                                      const Row &,
-                                      const LA::Vector &);
+template FrontStresses
+front_stresses(const ElasticModel<2> &,
+               const Seam<2> &,
+               const Row &,
+               const LA::Vector &);
+template FrontStresses
+front_stresses(const ElasticModel<3> &,
+               const Seam<3> &,
+               const Row &,
+               const LA::Vector &);
 } // namespace Setsudan

@@ -60,24 +60,28 @@ support_reaction(const Discretization<dim> &discretization,
 
 
 
-template Balance check_balance(const Discretization<2> &,
-                               const IndexSet &,
-                               const LA::Vector &,
-                               const LA::Vector &,
-                               const LA::Vector &,
-                               const std::vector<PointForce<2>> &);
-template Balance check_balance(const Discretization<3> &,
-                               const IndexSet &,
-                               const LA::Vector &,
-                               const LA::Vector &,
-                               const LA::Vector &,
-                               const std::vector<PointForce<3>> &);
-template Tensor<1, 2> support_reaction(const Discretization<2> &,
-                                       const IndexSet &,
-                                       const LA::Vector &,
-                                       const LA::Vector &);
-template Tensor<1, 3> support_reaction(const Discretization<3> &,
-                                       const IndexSet &,
-                                       const LA::Vector &,
-                                       const LA::Vector &);
+template Balance
+check_balance(const Discretization<2> &,
+              const IndexSet &,
+              const LA::Vector &,
+              const LA::Vector &,
+              const LA::Vector &,
+              const std::vector<PointForce<2>> &);
+template Balance
+check_balance(const Discretization<3> &,
+              const IndexSet &,
+              const LA::Vector &,
+              const LA::Vector &,
+              const LA::Vector &,
+              const std::vector<PointForce<3>> &);
+template Tensor<1, 2>
+support_reaction(const Discretization<2> &,
+                 const IndexSet &,
+                 const LA::Vector &,
+                 const LA::Vector &);
+template Tensor<1, 3>
+support_reaction(const Discretization<3> &,
+                 const IndexSet &,
+                 const LA::Vector &,
+                 const LA::Vector &);
 } // namespace Setsudan

@@ -117,10 +117,12 @@ constrain_supports(const Discretization<dim> &discretization,
 
 template class Discretization<2>;
 template class Discretization<3>;
-template void constrain_supports(const Discretization<2> &,
-                                 const Supports<2> &,
-                                 AffineConstraints<double> &);
-template void constrain_supports(const Discretization<3> &,
-                                 const Supports<3> &,
-                                 AffineConstraints<double> &);
+template void
+constrain_supports(const Discretization<2> &,
+                   const Supports<2> &,
+                   AffineConstraints<double> &);
+template void
+constrain_supports(const Discretization<3> &,
+                   const Supports<3> &,
+                   AffineConstraints<double> &);
 } // namespace Setsudan

@@ -147,10 +147,12 @@ assemble_loads(const Discretization<dim> &discretization,
 
 
 
-template LA::Vector assemble_loads(const Discretization<2> &,
-                                   const LoadParameters<2> &,
-                                   const Body<2> &);
-template LA::Vector assemble_loads(const Discretization<3> &,
-                                   const LoadParameters<3> &,
-                                   const Body<3> &);
+template LA::Vector
+assemble_loads(const Discretization<2> &,
+               const LoadParameters<2> &,
+               const Body<2> &);
+template LA::Vector
+assemble_loads(const Discretization<3> &,
+               const LoadParameters<3> &,
+               const Body<3> &);
 } // namespace Setsudan

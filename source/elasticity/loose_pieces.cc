@@ -114,18 +114,22 @@ template std::vector<LoosePiece>
 find_loose_pieces(const CoarseMesh<3> &,
                   const std::vector<unsigned int> &,
                   const Supports<3> &);
-template void check_loads_on_loose_piece(const ElasticModel<2> &,
-                                         const std::vector<unsigned int> &,
-                                         const LoosePiece &);
-template void check_loads_on_loose_piece(const ElasticModel<3> &,
-                                         const std::vector<unsigned int> &,
-                                         const LoosePiece &);
-template void constrain_loose_piece(const Discretization<2> &,
-                                    const CoarseMesh<2> &,
-                                    const LoosePiece &,
-                                    AffineConstraints<double> &);
-template void constrain_loose_piece(const Discretization<3> &,
-                                    const CoarseMesh<3> &,
-                                    const LoosePiece &,
-                                    AffineConstraints<double> &);
+template void
+check_loads_on_loose_piece(const ElasticModel<2> &,
+                           const std::vector<unsigned int> &,
+                           const LoosePiece &);
+template void
+check_loads_on_loose_piece(const ElasticModel<3> &,
+                           const std::vector<unsigned int> &,
+                           const LoosePiece &);
+template void
+constrain_loose_piece(const Discretization<2> &,
+                      const CoarseMesh<2> &,
+                      const LoosePiece &,
+                      AffineConstraints<double> &);
+template void
+constrain_loose_piece(const Discretization<3> &,
+                      const CoarseMesh<3> &,
+                      const LoosePiece &,
+                      AffineConstraints<double> &);
 } // namespace Setsudan

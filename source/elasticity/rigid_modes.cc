@@ -45,8 +45,8 @@ public:
 
   /** How much holding this component would stop beyond what is held: from 0
    * to about 1. */
-  Motion unheld_part(const Point<dim> &point,
-                     const unsigned int component) const
+  Motion
+  unheld_part(const Point<dim> &point, const unsigned int component) const
   {
     const auto modes = rigid_modes(point, center, length);
     Motion motion;
@@ -59,12 +59,14 @@ public:
     return motion;
   }
 
-  void hold(const Motion &motion)
+  void
+  hold(const Motion &motion)
   {
     basis.push_back(motion / motion.norm());
   }
 
-  bool holds_all() const
+  bool
+  holds_all() const
   {
     return basis.size() == n_rigid_modes<dim>;
   }

@@ -165,18 +165,22 @@ assemble_stiffness(const Discretization<dim> &discretization,
 
 template class ElementStiffness<2>;
 template class ElementStiffness<3>;
-template LA::Vector internal_forces(const Discretization<2> &,
-                                    ElementStiffness<2> &,
-                                    const LA::Vector &);
-template LA::Vector internal_forces(const Discretization<3> &,
-                                    ElementStiffness<3> &,
-                                    const LA::Vector &);
-template void assemble_stiffness(const Discretization<2> &,
-                                 ElementStiffness<2> &,
-                                 const AffineConstraints<double> &,
-                                 LA::SparseMatrix &);
-template void assemble_stiffness(const Discretization<3> &,
-                                 ElementStiffness<3> &,
-                                 const AffineConstraints<double> &,
-                                 LA::SparseMatrix &);
+template LA::Vector
+internal_forces(const Discretization<2> &,
+                ElementStiffness<2> &,
+                const LA::Vector &);
+template LA::Vector
+internal_forces(const Discretization<3> &,
+                ElementStiffness<3> &,
+                const LA::Vector &);
+template void
+assemble_stiffness(const Discretization<2> &,
+                   ElementStiffness<2> &,
+                   const AffineConstraints<double> &,
+                   LA::SparseMatrix &);
+template void
+assemble_stiffness(const Discretization<3> &,
+                   ElementStiffness<3> &,
+                   const AffineConstraints<double> &,
+                   LA::SparseMatrix &);
 } // namespace Setsudan

@@ -134,14 +134,18 @@ find_extremes(const Discretization<dim> &discretization,
 
 
 
-template Quadrature<2> node_points();
-template Quadrature<3> node_points();
-template Quadrature<2> gauss_points();
-template Quadrature<3> gauss_points();
+template Quadrature<2>
+node_points();
+template Quadrature<3>
+node_points();
+template Quadrature<2>
+gauss_points();
+template Quadrature<3>
+gauss_points();
 template class StrainRecovery<2>;
 template class StrainRecovery<3>;
-template DeformationExtremes find_extremes(const Discretization<2> &,
-                                           const LA::Vector &);
-template DeformationExtremes find_extremes(const Discretization<3> &,
-                                           const LA::Vector &);
+template DeformationExtremes
+find_extremes(const Discretization<2> &, const LA::Vector &);
+template DeformationExtremes
+find_extremes(const Discretization<3> &, const LA::Vector &);
 } // namespace Setsudan

@@ -68,10 +68,12 @@ transfer(const Discretization<dim> &from,
 
 
 
-template LA::Vector transfer(const Discretization<2> &,
-                             const LA::Vector &,
-                             const Discretization<2> &);
-template LA::Vector transfer(const Discretization<3> &,
-                             const LA::Vector &,
-                             const Discretization<3> &);
+template LA::Vector
+transfer(const Discretization<2> &,
+         const LA::Vector &,
+         const Discretization<2> &);
+template LA::Vector
+transfer(const Discretization<3> &,
+         const LA::Vector &,
+         const Discretization<3> &);
 } // namespace Setsudan

@@ -23,7 +23,8 @@ public:
   {
   }
 
-  void evaluate_vector_field(
+  void
+  evaluate_vector_field(
     const DataPostprocessorInputs::Vector<dim> &inputs,
     std::vector<dealii::Vector<double>> &values) const override
   {
@@ -42,7 +43,8 @@ public:
       }
   }
 
-  std::vector<std::string> get_names() const override
+  std::vector<std::string>
+  get_names() const override
   {
     std::vector<std::string> names(dim * dim, "stress");
     names.push_back("maximum_shear");
@@ -61,7 +63,8 @@ public:
     return interpretation;
   }
 
-  UpdateFlags get_needed_update_flags() const override
+  UpdateFlags
+  get_needed_update_flags() const override
   {
     return update_gradients;
   }

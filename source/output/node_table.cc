@@ -25,7 +25,8 @@ struct NodeRecord
   SymmetricTensor<2, 3> stress_sum;
   unsigned int n_elements = 0;
 
-  void add(const NodeRecord &other)
+  void
+  add(const NodeRecord &other)
   {
     position     = other.position;
     displacement = other.displacement;
@@ -35,7 +36,8 @@ struct NodeRecord
   }
 
   template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
+  void
+  serialize(Archive &archive, const unsigned int)
   {
     archive &position &displacement &max_shear &stress_sum &n_elements;
   }
@@ -148,16 +150,18 @@ write_node_table(const Body<dim> &body,
 
 
 
-template void write_node_table(const Body<2> &,
-                               const ElasticModel<2> &,
-                               const std::vector<Seam<2>> &,
-                               const LA::Vector &,
-                               const OutputDirectory &,
-                               const std::string &);
-template void write_node_table(const Body<3> &,
-                               const ElasticModel<3> &,
-                               const std::vector<Seam<3>> &,
-                               const LA::Vector &,
-                               const OutputDirectory &,
-                               const std::string &);
+template void
+write_node_table(const Body<2> &,
+                 const ElasticModel<2> &,
+                 const std::vector<Seam<2>> &,
+                 const LA::Vector &,
+                 const OutputDirectory &,
+                 const std::string &);
+template void
+write_node_table(const Body<3> &,
+                 const ElasticModel<3> &,
+                 const std::vector<Seam<3>> &,
+                 const LA::Vector &,
+                 const OutputDirectory &,
+                 const std::string &);
 } // namespace Setsudan

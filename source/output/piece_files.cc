@@ -207,16 +207,20 @@ write_piece_vtu(const PieceMesh<dim> &piece,
 
 
 
-template void write_piece_msh(const PieceMesh<2> &,
-                              const OutputDirectory &,
-                              const std::string &);
-template void write_piece_msh(const PieceMesh<3> &,
-                              const OutputDirectory &,
-                              const std::string &);
-template void write_piece_vtu(const PieceMesh<2> &,
-                              const OutputDirectory &,
-                              const std::string &);
-template void write_piece_vtu(const PieceMesh<3> &,
-                              const OutputDirectory &,
-                              const std::string &);
+template void
+write_piece_msh(const PieceMesh<2> &,
+                const OutputDirectory &,
+                const std::string &);
+template void
+write_piece_msh(const PieceMesh<3> &,
+                const OutputDirectory &,
+                const std::string &);
+template void
+write_piece_vtu(const PieceMesh<2> &,
+                const OutputDirectory &,
+                const std::string &);
+template void
+write_piece_vtu(const PieceMesh<3> &,
+                const OutputDirectory &,
+                const std::string &);
 } // namespace Setsudan

@@ -77,10 +77,10 @@ test_elements(const Body<dim> &body, const Point<dim> &size)
             error, position.distance(body.mesh.node_position(element, node)));
         }
       for (unsigned int d = 0; d < dim; ++d)
-        error = std::max(error,
-                         std::abs(body.mesh.cell_center(element)[d] -
-                                  size[d] * (indices[d] + 0.5) /
-                                    numbering.n_elements[d]));
+        error = std::max(
+          error,
+          std::abs(body.mesh.cell_center(element)[d] -
+                   size[d] * (indices[d] + 0.5) / numbering.n_elements[d]));
     }
   check("every node is an element's",
         std::count(touched.begin(), touched.end(), false) == 0);

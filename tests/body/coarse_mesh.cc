@@ -129,12 +129,12 @@ test_triangulation(const CoarseMesh<dim> &mesh)
 {
   Triangulation<dim> triangulation;
   create_triangulation(mesh, triangulation);
-  double error = triangulation.n_active_cells() == mesh.cells.size() ? 0 : 1;
+  double error  = triangulation.n_active_cells() == mesh.cells.size() ? 0 : 1;
   bool same_ids = true;
   for (const auto &cell : triangulation.active_cell_iterators())
     {
-      error = std::max(error,
-                       cell->center().distance(mesh.cell_center(cell->index())));
+      error = std::max(
+        error, cell->center().distance(mesh.cell_center(cell->index())));
       for (const unsigned int face : cell->face_indices())
         {
           const auto id = mesh.boundary_ids.find({cell->index(), face});

@@ -3,8 +3,9 @@
 // even layer or row (between elements) and the odd one before it (through their
 // middle) have the same i or j.
 //
-// As printed, (21) has i - 1 in its second term; there i counts an even layer as
-// in (22), which needs i. All upper bounds of the nodes' i and j are one short.
+// As printed, (21) has i - 1 in its second term; there i counts an even layer
+// as in (22), which needs i. All upper bounds of the nodes' i and j are one
+// short.
 
 #include <setsudan/body/box_numbering.h>
 
@@ -115,8 +116,8 @@ cut_by_numbering(const Box &b, const unsigned int axis, const unsigned int dn)
 void
 test(const Box &b)
 {
-  using Formula                          = Cut (*)(const Box &, unsigned int);
-  const std::array<Formula, 3> formulas  = {
+  using Formula                         = Cut (*)(const Box &, unsigned int);
+  const std::array<Formula, 3> formulas = {
     {&cut_across_x, &cut_across_y, &cut_across_z}};
   const std::array<unsigned int, 3> n = {{b.nx, b.ny, b.nz}};
   for (unsigned int axis = 0; axis < 3; ++axis)

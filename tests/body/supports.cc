@@ -105,8 +105,8 @@ test_nodes()
 void
 test_refusals()
 {
-  for (const std::string &wrong : {"Support/Fixed faces=bottom, floor",
-                                   "Support/Fixed nodes=0, 32"})
+  for (const std::string &wrong :
+       {"Support/Fixed faces=bottom, floor", "Support/Fixed nodes=0, 32"})
     print_refusal([&] { SmallBody<3>({"Body/Elements=1, 2, 1", wrong}); });
   print_refusal([] { SmallBody<2>({"Support/Fixed faces=front"}); });
   print_refusal([] { SmallBody<3>({"Body/Size=1, -2, 1"}); });

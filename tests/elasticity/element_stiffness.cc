@@ -73,8 +73,8 @@ test_energy(const std::string &n_elements)
   for (unsigned int a = 0; a < dim; ++a)
     for (unsigned int b = 0; b < dim; ++b)
       gradient[a][b] = 0.1 * (a + 1) - 0.03 * b * b;
-  const auto u =
-    nodal_values(discretization, [&](const Point<dim> &p) { return gradient * p; });
+  const auto u = nodal_values(
+    discretization, [&](const Point<dim> &p) { return gradient * p; });
   const LA::Vector forces =
     internal_forces(discretization, stiffness, discretization.with_ghosts(u));
 

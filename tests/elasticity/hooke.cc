@@ -34,18 +34,14 @@ test_simple_states(const double E, const double nu)
   const Hooke hooke(E, nu);
   const double s = 0.7, G = E / (2 * (1 + nu)), K = E / (3 * (1 - 2 * nu));
 
-  const Tensor3 pulled =
-    hooke.stress(tensor(s / E, -nu * s / E, -nu * s / E));
+  const Tensor3 pulled = hooke.stress(tensor(s / E, -nu * s / E, -nu * s / E));
   check_below("pulled", (pulled - tensor(s, 0, 0)).norm(), 1e-13);
-  check_below("its maximum shear",
-              std::abs(maximum_shear(pulled) - s / 2),
-              1e-13);
+  check_below(
+    "its maximum shear", std::abs(maximum_shear(pulled) - s / 2), 1e-13);
 
   const Tensor3 sheared = hooke.stress(tensor(0, 0, 0, 0, s / (2 * G), 0));
   check_below("sheared", (sheared - tensor(0, 0, 0, 0, s, 0)).norm(), 1e-13);
-  check_below("its maximum shear",
-              std::abs(maximum_shear(sheared) - s),
-              1e-13);
+  check_below("its maximum shear", std::abs(maximum_shear(sheared) - s), 1e-13);
 
   const double e        = s / (3 * K);
   const Tensor3 pressed = hooke.stress(tensor(-e, -e, -e));
@@ -83,10 +79,9 @@ test_plane_strain(const double E, const double nu)
   SymmetricTensor<2, 2> strain;
   strain[0][0] = 0.3, strain[1][1] = -0.1, strain[0][1] = 0.25;
   const Tensor3 stress = hooke.stress(strain);
-  check_below(
-    "plane strain",
-    (stress - hooke.stress(tensor(0.3, -0.1, 0, 0.25))).norm() / E,
-    1e-14);
+  check_below("plane strain",
+              (stress - hooke.stress(tensor(0.3, -0.1, 0, 0.25))).norm() / E,
+              1e-14);
   check_below("stress across the plane",
               std::abs(stress[2][2] - nu * (stress[0][0] + stress[1][1])) / E,
               1e-14);
@@ -94,11 +89,11 @@ test_plane_strain(const double E, const double nu)
   // Stretched alike in both directions, it is sheared across the plane only.
   strain       = 0;
   strain[0][0] = strain[1][1] = 0.1;
-  check_below("shear across the plane",
-              std::abs(maximum_shear(hooke.stress(strain)) -
-                       E / (2 * (1 + nu)) * 0.1) /
-                E,
-              1e-14);
+  check_below(
+    "shear across the plane",
+    std::abs(maximum_shear(hooke.stress(strain)) - E / (2 * (1 + nu)) * 0.1) /
+      E,
+    1e-14);
 }
 
 

@@ -116,9 +116,8 @@ test_nodal_forces()
     for (const auto &node : discretization.node_indices(cell))
       if (seen.insert(node[2]).second && cut.model.loads(node[2]) != 0)
         std::cout << "of element " << discretization.element(cell) << ": "
-                  << cut.model.loads(node[0]) << " "
-                  << cut.model.loads(node[1]) << " "
-                  << cut.model.loads(node[2]) << std::endl;
+                  << cut.model.loads(node[0]) << " " << cut.model.loads(node[1])
+                  << " " << cut.model.loads(node[2]) << std::endl;
 }
 
 

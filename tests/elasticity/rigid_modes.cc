@@ -42,15 +42,14 @@ test_modes()
   for (unsigned int d = 0; d < dim; ++d)
     size[d] = d + 1;
   const auto points = corners(size);
-  double stretch = 0;
+  double stretch    = 0;
   for (const auto &p : points)
     for (const auto &q : points)
       for (unsigned int m = 0; m < n_rigid_modes<dim>; ++m)
-        stretch =
-          std::max(stretch,
-                   std::abs((rigid_modes(p, points[1], 2.)[m] -
-                             rigid_modes(q, points[1], 2.)[m]) *
-                            (p - q)));
+        stretch = std::max(stretch,
+                           std::abs((rigid_modes(p, points[1], 2.)[m] -
+                                     rigid_modes(q, points[1], 2.)[m]) *
+                                    (p - q)));
   check_below("stretch in rigid motions", stretch, 1e-14);
 }
 
@@ -75,9 +74,8 @@ firmness(const Points<dim> &fixed,
   LAPACKFullMatrix<double> matrix(held.size(), n_rigid_modes<dim>);
   for (unsigned int i = 0; i < held.size(); ++i)
     for (unsigned int m = 0; m < n_rigid_modes<dim>; ++m)
-      matrix(i, m) = rigid_modes(held[i].first,
-                                 center,
-                                 diagonal.norm() / 2)[m][held[i].second];
+      matrix(i, m) = rigid_modes(
+        held[i].first, center, diagonal.norm() / 2)[m][held[i].second];
   if (held.size() < n_rigid_modes<dim>)
     return 0;
   matrix.compute_svd();
@@ -93,8 +91,8 @@ test_hold(const std::string &name,
 {
   const auto hold = find_minimal_hold(fixed, candidates);
   std::cout << dim << "D, " << name << ": " << hold.size() << " to hold, "
-            << (firmness(fixed, candidates, hold) > 1e-3 ? "firm" :
-                                                           "FAILED, loose")
+            << (firmness(fixed, candidates, hold) > 1e-3 ? "firm"
+                                                         : "FAILED, loose")
             << std::endl;
 }
 

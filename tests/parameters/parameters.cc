@@ -83,8 +83,9 @@ test_refusals()
   refuse({"A", "Number", "-inf", "scene.prm:6"});
   refuse({"A", "Number", "1e999", "scene.prm:7"});
   refuse({"A", "Truth", "perhaps", "scene.prm:8"});
-  print_refusal(
-    [] { parameters_of({{"A/B", "List", "1, x", ""}}).numbers("A/B", "List"); });
+  print_refusal([] {
+    parameters_of({{"A/B", "List", "1, x", ""}}).numbers("A/B", "List");
+  });
   for (const std::string &value : {"", "1 2", "0x", "1,5"})
     print_refusal([&] {
       try
@@ -105,10 +106,9 @@ test_refusals()
 void
 test_print()
 {
-  const Parameters parameters =
-    parameters_of({{"A", "Number", "2.5", "--set"},
-                   {"A/B", "List", "3, 4", "--set"},
-                   {"", "Top", "x = y", "--set"}});
+  const Parameters parameters = parameters_of({{"A", "Number", "2.5", "--set"},
+                                               {"A/B", "List", "3, 4", "--set"},
+                                               {"", "Top", "x = y", "--set"}});
   std::ofstream file("printed.prm");
   parameters.print(file);
   file.close();

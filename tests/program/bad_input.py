@@ -14,14 +14,10 @@ GOOD_TEXT, LINES = scene_text(SCENE)
 N_LINES = len(GOOD_TEXT.splitlines())
 
 
-def behind(line, number=N_LINES + 1):
-    """The message about a line that is put behind the good scene."""
-    return GOOD_TEXT + line + "\n", f"scene.prm:{number}: "
-
-
 def wrong_line(line, *pieces):
-    text, place = behind(line)
-    return wrong_text(f"line '{line}'", text, place, *pieces)
+    """A line behind the good scene."""
+    text = GOOD_TEXT + line + "\n"
+    return wrong_text(f"line '{line}'", text, f"scene.prm:{N_LINES + 1}: ", *pieces)
 
 
 def wrong_option(*arguments, pieces, files=None):
@@ -64,6 +60,9 @@ def syntax():
     yield wrong_text(
         "end with a name", subsection + "end Body\n", "scene.prm:2: 'end Body'"
     )
+
+
+def files():
     yield wrong_line("include scene.prm", "includes itself")
     yield wrong_line("include missing.prm", "'missing.prm' cannot be read")
     yield wrong_line("include .", "cannot be read")
@@ -75,6 +74,9 @@ def syntax():
     )
     yield no_scene("missing.prm", "'missing.prm' cannot be read")
     yield no_scene("folder", "'folder' cannot be read", files={"folder/file": ""})
+
+
+def options():
     yield wrong_option("--set", "Body/Elements", pieces=["--set", "'Body/Elements'"])
     yield wrong_option("--set", "=3", pieces=["--set", "'=3'"])
     yield wrong_option("--set", "Body/=3", pieces=["--set: "])
@@ -115,7 +117,13 @@ def cases(group):
     for dimension, base in ((3, SCENE), (2, PLANE_SCENE)):
         for path, value, allowed, *also in WRONG_VALUES.get((group, dimension), []):
             yield wrong_value(path, value, allowed, base, *also)
-    special = {"syntax": syntax, "output": output, "support": support}
+    special = {
+        "syntax": syntax,
+        "files": files,
+        "options": options,
+        "support": support,
+        "output": output,
+    }
     yield from special.get(group, lambda: [])()
 
 

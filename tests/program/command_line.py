@@ -35,8 +35,8 @@ CASES = [
     case(0, ["--validate", "--set", "Body/Elements=1,4,2", "scene.prm"], "valid"),
     case(0, ["scene.prm", "--validate"], "valid", files=WINDOWS_SCENE),
     case(0, ["--print-parameters"], "subsection Material", "set Young's modulus"),
-    case(0, ["plane.prm", "--print-parameters"], "set Size     = 10, 10 "),
-    case(0, ["--print-parameters", "--set", "Body/Size=7,8,9"], "7,8,9"),
+    case(0, ["plane.prm", "--print-parameters"], "set Size     = 10, 10\n"),
+    case(0, ["--print-parameters", "--set", "Body/Size=7,8,9"], "= 7,8,9"),
 ]
 
 

@@ -6,6 +6,7 @@ A test makes a list of Case and hands it to run_cases().
 import concurrent.futures
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 from typing import Dict, NamedTuple, Sequence
@@ -85,6 +86,8 @@ def message_problems(case, result):
         problems.append("the message is not 'setsudan: <sentence>.'")
     if result.stdout:
         problems.append("something on standard output")
+    if re.search(r"allowed is:\W*$", lines[0]):
+        problems.append("the message does not say what is allowed")
     problems += [f"not in the message: {p}" for p in case.pieces if p not in lines[0]]
     return problems
 

@@ -17,7 +17,8 @@ struct BodyParameters
   dealii::Point<dim> size;
   typename BoxNumbering<dim>::Indices n_elements;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   explicit BodyParameters(const Parameters &parameters);
 };
@@ -39,9 +40,11 @@ struct Body
  * @return whether there is a face of that name.
  */
 template <int dim>
-bool find_face(const std::string &name, dealii::types::boundary_id &id);
+bool
+find_face(const std::string &name, dealii::types::boundary_id &id);
 
 /** The names that find_face() knows, as a list for messages. */
 template <int dim>
-std::string face_names();
+std::string
+face_names();
 } // namespace Setsudan

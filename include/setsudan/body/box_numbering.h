@@ -21,25 +21,31 @@ public:
 
   explicit BoxNumbering(const Indices &n_elements);
 
-  unsigned int n_nodes() const;
+  unsigned int
+  n_nodes() const;
 
   /** The node at half-indices of which at most one is odd. */
-  unsigned int node_number(const Indices &half_indices) const;
+  unsigned int
+  node_number(const Indices &half_indices) const;
 
   /** A node of an element, by its number within the element (see nodes.h). */
-  unsigned int node_number(const unsigned int element,
-                           const unsigned int node) const;
+  unsigned int
+  node_number(const unsigned int element, const unsigned int node) const;
 
-  unsigned int element_number(const Indices &indices) const;
+  unsigned int
+  element_number(const Indices &indices) const;
 
-  Indices element_indices(unsigned int element) const;
+  Indices
+  element_indices(unsigned int element) const;
 
   /** Elements along each axis: the paper's nx, ny, nz. */
   const Indices n_elements;
 
 private:
-  unsigned int nodes_in_even_layer() const;
+  unsigned int
+  nodes_in_even_layer() const;
 
-  unsigned int nodes_in_odd_layer() const;
+  unsigned int
+  nodes_in_odd_layer() const;
 };
 } // namespace Setsudan

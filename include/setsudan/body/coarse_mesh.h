@@ -37,19 +37,23 @@ struct CoarseMesh
    * duplication of vertices cannot lose them. */
   std::map<CellFace, dealii::types::boundary_id> boundary_ids;
 
-  FaceKey face_key(const CellFace &face) const;
+  FaceKey
+  face_key(const CellFace &face) const;
 
-  dealii::Point<dim> cell_center(const unsigned int cell) const;
+  dealii::Point<dim>
+  cell_center(const unsigned int cell) const;
 
   /** Position of a node of a straight-edged cell (see nodes.h). */
-  dealii::Point<dim> node_position(const unsigned int cell,
-                                   const unsigned int node) const;
+  dealii::Point<dim>
+  node_position(const unsigned int cell, const unsigned int node) const;
 
   /** Volume of a cell (area in 2D). */
-  double cell_volume(const unsigned int cell) const;
+  double
+  cell_volume(const unsigned int cell) const;
 
   /** Largest extent of the body along a coordinate axis. */
-  double extent() const;
+  double
+  extent() const;
 };
 
 /** For every cell the cells that share a face with it. */
@@ -59,8 +63,9 @@ collect_neighbors(const CoarseMesh<dim> &mesh);
 
 /** Make the triangulation whose level-0 cell of index i is cell i of `mesh`. */
 template <int dim>
-void create_triangulation(const CoarseMesh<dim> &mesh,
-                          dealii::Triangulation<dim> &triangulation);
+void
+create_triangulation(const CoarseMesh<dim> &mesh,
+                     dealii::Triangulation<dim> &triangulation);
 
 /**
  * The separate bodies that a mesh consists of: for every cell the number of
@@ -68,5 +73,6 @@ void create_triangulation(const CoarseMesh<dim> &mesh,
  * that share a face belong together.
  */
 template <int dim>
-std::vector<unsigned int> find_pieces(const CoarseMesh<dim> &mesh);
+std::vector<unsigned int>
+find_pieces(const CoarseMesh<dim> &mesh);
 } // namespace Setsudan

@@ -18,13 +18,16 @@ constexpr unsigned int n_element_nodes =
  * corner node both are the corner. Nodes and vertices in deal.II's order.
  */
 template <int dim>
-std::array<unsigned int, 2> vertices_of_node(const unsigned int node);
+std::array<unsigned int, 2>
+vertices_of_node(const unsigned int node);
 
 /** The position of a node on the reference cell [0, 1]^dim. */
 template <int dim>
-dealii::Point<dim> unit_point_of_node(const unsigned int node);
+dealii::Point<dim>
+unit_point_of_node(const unsigned int node);
 
 /** Whether a node of the reference cell lies on one of its faces. */
 template <int dim>
-bool node_is_on_face(const unsigned int node, const unsigned int face);
+bool
+node_is_on_face(const unsigned int node, const unsigned int face);
 } // namespace Setsudan

@@ -18,7 +18,8 @@ struct SupportParameters
   std::set<dealii::types::boundary_id> faces;
   std::set<unsigned int> nodes;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   /** @throw SceneError for a face or node that does not exist. */
   SupportParameters(const Parameters &parameters, const Body<dim> &body);
@@ -39,7 +40,8 @@ public:
    * on the boundary, and the node's number. A node that touches a fixed face
    * of another cell only is fixed through that cell.
    */
-  bool is_fixed(const unsigned int cell, const unsigned int node) const;
+  bool
+  is_fixed(const unsigned int cell, const unsigned int node) const;
 
   /** Positions of the fixed nodes of some cells; a node may appear twice. */
   std::vector<dealii::Point<dim>>

@@ -27,12 +27,14 @@ struct BladeParameters
   dealii::Tensor<1, dim> direction;
   std::vector<EdgeLoad> edge_loads;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   explicit BladeParameters(const Parameters &parameters);
 
   /** Sum of the edge loads: the force along the direction. */
-  double total_force() const;
+  double
+  total_force() const;
 };
 
 /** The line in a plane cut along which the blade's edge lies. */
@@ -45,11 +47,12 @@ struct BladeEdge
 
   /** Position along the edge: the coordinate of the axis nearest to the edge;
    * 0 in 2D, where the edge is a point. */
-  double position(const dealii::Point<dim> &point) const;
+  double
+  position(const dealii::Point<dim> &point) const;
 
   /** The point of the edge line through `origin` at a position. */
-  dealii::Point<dim> point(const dealii::Point<dim> &origin,
-                           const double position) const;
+  dealii::Point<dim>
+  point(const dealii::Point<dim> &origin, const double position) const;
 
   /** Unit vector along the edge; zero in 2D. */
   dealii::Tensor<1, dim> tangent;
@@ -70,8 +73,9 @@ struct NodeShare
  *
  * @param nodes positions of the nodes along the edge, ascending.
  */
-std::vector<NodeShare> share_edge_loads(const std::vector<EdgeLoad> &loads,
-                                        const std::vector<double> &nodes);
+std::vector<NodeShare>
+share_edge_loads(const std::vector<EdgeLoad> &loads,
+                 const std::vector<double> &nodes);
 
 /**
  * Whether the blade can make this cut: its direction lies in the surface, it
@@ -80,9 +84,10 @@ std::vector<NodeShare> share_edge_loads(const std::vector<EdgeLoad> &loads,
  * @throw SceneError where one of it is not so.
  */
 template <int dim>
-void check_blade(const Parameters &parameters,
-                 const BladeParameters<dim> &blade,
-                 const Body<dim> &body,
-                 const Supports<dim> &supports,
-                 const CutSurface<dim> &surface);
+void
+check_blade(const Parameters &parameters,
+            const BladeParameters<dim> &blade,
+            const Body<dim> &body,
+            const Supports<dim> &supports,
+            const CutSurface<dim> &surface);
 } // namespace Setsudan

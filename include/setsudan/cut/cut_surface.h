@@ -40,7 +40,8 @@ struct CutParameters
 {
   std::vector<AxisCut> surfaces;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   CutParameters(const Parameters &parameters, const BodyParameters<dim> &body);
 };
@@ -48,5 +49,6 @@ struct CutParameters
 /** The element faces of an AxisCut (equations 19, 23, 26 of Kakefuda et al.
  * 1996 name the elements behind it). */
 template <int dim>
-CutSurface<dim> make_cut_surface(const Body<dim> &body, const AxisCut &cut);
+CutSurface<dim>
+make_cut_surface(const Body<dim> &body, const AxisCut &cut);
 } // namespace Setsudan

@@ -23,6 +23,6 @@ constexpr dealii::types::boundary_id cut_plus_id  = 101;
  * @pre every face of the surface is shared by its two cells.
  */
 template <int dim>
-CoarseMesh<dim> split_mesh(const CoarseMesh<dim> &mesh,
-                           const CutSurface<dim> &surface);
+CoarseMesh<dim>
+split_mesh(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface);
 } // namespace Setsudan

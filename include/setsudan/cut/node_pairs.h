@@ -32,7 +32,8 @@ struct NodePair
   std::bitset<dim> supported;
 
   /** Whether the two sides have a node each. */
-  bool is_double() const;
+  bool
+  is_double() const;
 };
 
 /**
@@ -41,7 +42,8 @@ struct NodePair
  * several nodes once the body has been cut before.
  */
 template <int dim>
-std::vector<NodePair<dim>> collect_node_pairs(const ElasticModel<dim> &model,
-                                              const CutSurface<dim> &surface,
-                                              const Body<dim> &body);
+std::vector<NodePair<dim>>
+collect_node_pairs(const ElasticModel<dim> &model,
+                   const CutSurface<dim> &surface,
+                   const Body<dim> &body);
 } // namespace Setsudan

@@ -25,7 +25,8 @@ struct DivisionParameters
   LoadControl load_control;
   double max_load_factor;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   explicit DivisionParameters(const Parameters &parameters);
 };
@@ -51,8 +52,9 @@ struct Row
  * divide it, and it goes together with the row before it.
  */
 template <int dim>
-std::vector<Row> make_rows(const std::vector<NodePair<dim>> &pairs,
-                           const dealii::Tensor<1, dim> &direction,
-                           const BladeEdge<dim> &edge,
-                           const DivisionParameters::Release release);
+std::vector<Row>
+make_rows(const std::vector<NodePair<dim>> &pairs,
+          const dealii::Tensor<1, dim> &direction,
+          const BladeEdge<dim> &edge,
+          const DivisionParameters::Release release);
 } // namespace Setsudan

@@ -26,18 +26,24 @@ public:
   /** A seam of which all pairs are tied. */
   Seam(const std::vector<NodePair<dim>> &pairs, const std::vector<Row> &rows);
 
-  const std::vector<NodePair<dim>> &pairs() const;
+  const std::vector<NodePair<dim>> &
+  pairs() const;
 
-  const std::vector<Row> &rows() const;
+  const std::vector<Row> &
+  rows() const;
 
-  State state(const unsigned int pair) const;
+  State
+  state(const unsigned int pair) const;
 
-  void set_row_state(const unsigned int row, const State state);
+  void
+  set_row_state(const unsigned int row, const State state);
 
-  void set_all_states(const State state);
+  void
+  set_all_states(const State state);
 
   /** Number of pairs with a node on each side. */
-  unsigned int n_double_pairs() const;
+  unsigned int
+  n_double_pairs() const;
 
   /**
    * The unknowns that constraints of the seam couple, on all processes: they
@@ -50,18 +56,21 @@ public:
    * Add the homogeneous part of what the seam demands. Unknowns that a support
    * holds are left alone: a support wins over a tie and over an opening.
    */
-  void add_constraints(dealii::AffineConstraints<double> &constraints) const;
+  void
+  add_constraints(dealii::AffineConstraints<double> &constraints) const;
 
   /**
    * A displacement that has the opening of the opened pairs, and is otherwise
    * zero: n.(u+ - u-) = thickness, by u+ alone.
    */
-  LA::Vector opening(const Discretization<dim> &discretization,
-                     const double thickness) const;
+  LA::Vector
+  opening(const Discretization<dim> &discretization,
+          const double thickness) const;
 
 private:
   /** The component that an opening determines: that of the largest normal. */
-  unsigned int normal_component(const unsigned int pair) const;
+  unsigned int
+  normal_component(const unsigned int pair) const;
 
   std::vector<NodePair<dim>> node_pairs;
   std::vector<Row> node_rows;

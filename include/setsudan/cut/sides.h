@@ -15,6 +15,6 @@ namespace Setsudan
  * cut.
  */
 template <int dim>
-std::vector<int> find_sides(const CoarseMesh<dim> &split,
-                            const CutSurface<dim> &surface);
+std::vector<int>
+find_sides(const CoarseMesh<dim> &split, const CutSurface<dim> &surface);
 } // namespace Setsudan

@@ -18,7 +18,8 @@ struct YieldParameters
 
   Check check;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   explicit YieldParameters(const Parameters &parameters);
 };
@@ -29,10 +30,11 @@ using FrontStresses = std::vector<dealii::SymmetricTensor<2, 3>>;
 
 /** @param displacement with ghosts. */
 template <int dim>
-FrontStresses front_stresses(const ElasticModel<dim> &model,
-                             const Seam<dim> &seam,
-                             const Row &row,
-                             const LA::Vector &displacement);
+FrontStresses
+front_stresses(const ElasticModel<dim> &model,
+               const Seam<dim> &seam,
+               const Row &row,
+               const LA::Vector &displacement);
 
 /**
  * The cutting stress (equation 17 of Kakefuda et al. 1996): the largest
@@ -41,15 +43,17 @@ FrontStresses front_stresses(const ElasticModel<dim> &model,
  * The stress under a concentrated load is singular, so that this measure
  * grows as elements shrink.
  */
-double cutting_stress(const FrontStresses &stresses,
-                      const MPI_Comm communicator);
+double
+cutting_stress(const FrontStresses &stresses, const MPI_Comm communicator);
 
 /** The stress that yield requires: shear limit x (1 - sharpness), equation
  * 18. */
-double required_stress(const double shear_limit, const double sharpness);
+double
+required_stress(const double shear_limit, const double sharpness);
 
 /** Whether a row yields: its stress exceeds what is required, or nothing is. */
-bool yields(const double cutting_stress, const double required_stress);
+bool
+yields(const double cutting_stress, const double required_stress);
 
 /** The load factor at which a row yields. */
 struct YieldLoad
@@ -66,9 +70,10 @@ struct YieldLoad
  * stress is convex in the factor, so that there is at most one such point
  * beyond 0, and a bracketing root finder cannot miss it.
  */
-YieldLoad find_yield_load(const FrontStresses &base,
-                          const FrontStresses &per_load,
-                          const double required,
-                          const double max_load_factor,
-                          const MPI_Comm communicator);
+YieldLoad
+find_yield_load(const FrontStresses &base,
+                const FrontStresses &per_load,
+                const double required,
+                const double max_load_factor,
+                const MPI_Comm communicator);
 } // namespace Setsudan

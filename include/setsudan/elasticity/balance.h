@@ -29,12 +29,13 @@ struct PointForce
  * @param blade      the blade's forces as the scene means them.
  */
 template <int dim>
-Balance check_balance(const Discretization<dim> &discretization,
-                      const dealii::IndexSet &supported,
-                      const LA::Vector &internal,
-                      const LA::Vector &loads,
-                      const LA::Vector &applied,
-                      const std::vector<PointForce<dim>> &blade);
+Balance
+check_balance(const Discretization<dim> &discretization,
+              const dealii::IndexSet &supported,
+              const LA::Vector &internal,
+              const LA::Vector &loads,
+              const LA::Vector &applied,
+              const std::vector<PointForce<dim>> &blade);
 
 /** The sum of what the supports give back to the body. */
 template <int dim>

@@ -35,17 +35,20 @@ public:
   Discretization(const CoarseMesh<dim> &mesh, const MPI_Comm communicator);
 
   /** The element of the body that `cell` is. */
-  unsigned int element(const Cell &cell) const;
+  unsigned int
+  element(const Cell &cell) const;
 
   /** The unknowns of every node of a cell, nodes in the order of nodes.h. */
   std::array<NodeIndices, n_element_nodes<dim>>
   node_indices(const Cell &cell) const;
 
   /** A vector of which each process holds its own part, all zero. */
-  LA::Vector zero_vector() const;
+  LA::Vector
+  zero_vector() const;
 
   /** A copy of `vector` that can be read on all cells this process knows. */
-  LA::Vector with_ghosts(const LA::Vector &vector) const;
+  LA::Vector
+  with_ghosts(const LA::Vector &vector) const;
 
   /** Where an unknown of this process lies. */
   struct Site
@@ -55,7 +58,8 @@ public:
   };
 
   /** The sites of this process's unknowns, in the order of their numbers. */
-  std::vector<Site> sites() const;
+  std::vector<Site>
+  sites() const;
 
   const MPI_Comm communicator;
   const dealii::MappingQ<dim> mapping;
@@ -68,7 +72,8 @@ public:
 
 /** Constrain the fixed nodes, as far as this process knows them. */
 template <int dim>
-void constrain_supports(const Discretization<dim> &discretization,
-                        const Supports<dim> &supports,
-                        dealii::AffineConstraints<double> &constraints);
+void
+constrain_supports(const Discretization<dim> &discretization,
+                   const Supports<dim> &supports,
+                   dealii::AffineConstraints<double> &constraints);
 } // namespace Setsudan

@@ -28,13 +28,15 @@ struct LoadParameters
   /** Forces on nodes, by the node's number. */
   std::map<unsigned int, Force> nodal_forces;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   /** @throw SceneError for a face or node that does not exist. */
   LoadParameters(const Parameters &parameters, const Body<dim> &body);
 
   /** Whether the scene has no such load. */
-  bool empty() const;
+  bool
+  empty() const;
 };
 
 /**
@@ -44,7 +46,8 @@ struct LoadParameters
  * @return a vector without ghosts.
  */
 template <int dim>
-LA::Vector assemble_loads(const Discretization<dim> &discretization,
-                          const LoadParameters<dim> &loads,
-                          const Body<dim> &body);
+LA::Vector
+assemble_loads(const Discretization<dim> &discretization,
+               const LoadParameters<dim> &loads,
+               const Body<dim> &body);
 } // namespace Setsudan

@@ -29,14 +29,16 @@ find_loose_pieces(const CoarseMesh<dim> &mesh,
  * @throw std::runtime_error where they are not: then nothing keeps the piece.
  */
 template <int dim>
-void check_loads_on_loose_piece(const ElasticModel<dim> &model,
-                                const std::vector<unsigned int> &pieces,
-                                const LoosePiece &loose);
+void
+check_loads_on_loose_piece(const ElasticModel<dim> &model,
+                           const std::vector<unsigned int> &pieces,
+                           const LoosePiece &loose);
 
 /** Constrain the unknowns that hold a loose piece. */
 template <int dim>
-void constrain_loose_piece(const Discretization<dim> &discretization,
-                           const CoarseMesh<dim> &mesh,
-                           const LoosePiece &loose,
-                           dealii::AffineConstraints<double> &constraints);
+void
+constrain_loose_piece(const Discretization<dim> &discretization,
+                      const CoarseMesh<dim> &mesh,
+                      const LoosePiece &loose,
+                      dealii::AffineConstraints<double> &constraints);
 } // namespace Setsudan

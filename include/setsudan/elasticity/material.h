@@ -14,7 +14,8 @@ struct MaterialParameters
   double shear_limit;
   double linear_range;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   explicit MaterialParameters(const Parameters &parameters);
 };
@@ -42,5 +43,6 @@ public:
 };
 
 /** Tresca's measure (s1 - s3) / 2 of the principal stresses s1 >= s2 >= s3. */
-double maximum_shear(const dealii::SymmetricTensor<2, 3> &stress);
+double
+maximum_shear(const dealii::SymmetricTensor<2, 3> &stress);
 } // namespace Setsudan

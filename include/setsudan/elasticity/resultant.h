@@ -21,15 +21,17 @@ class Resultant
 public:
   explicit Resultant(const Discretization<dim> &discretization);
 
-  void add(const dealii::Point<dim> &point,
-           const dealii::Tensor<1, dim> &force);
+  void
+  add(const dealii::Point<dim> &point, const dealii::Tensor<1, dim> &force);
 
   /** Add what all processes have added; called once, by all of them. */
-  void sum_over_processes();
+  void
+  sum_over_processes();
 
   /** Resultant force and moment over the sum of all forces' magnitudes; the
    * moment's arms are measured in body lengths. */
-  Balance relative() const;
+  Balance
+  relative() const;
 
 private:
   const MPI_Comm communicator;

@@ -28,15 +28,19 @@ public:
                    const Hooke &material);
 
   /** The matrix of a cell, rows in the order of the cell's unknowns. */
-  const dealii::FullMatrix<double> &operator()(const Cell &cell);
+  const dealii::FullMatrix<double> &
+  operator()(const Cell &cell);
 
   /** How many matrices have been integrated so far. */
-  unsigned int n_integrations() const;
+  unsigned int
+  n_integrations() const;
 
 private:
-  bool has_last_shape(const Cell &cell) const;
+  bool
+  has_last_shape(const Cell &cell) const;
 
-  void integrate(const Cell &cell);
+  void
+  integrate(const Cell &cell);
 
   const Hooke material;
   dealii::FEValues<dim> fe_values;
@@ -54,9 +58,10 @@ private:
  * @return a vector without ghosts.
  */
 template <int dim>
-LA::Vector internal_forces(const Discretization<dim> &discretization,
-                           ElementStiffness<dim> &stiffness,
-                           const LA::Vector &displacement);
+LA::Vector
+internal_forces(const Discretization<dim> &discretization,
+                ElementStiffness<dim> &stiffness,
+                const LA::Vector &displacement);
 
 /**
  * Assemble the stiffness matrix of the body, condensed with `constraints`.
@@ -65,8 +70,9 @@ LA::Vector internal_forces(const Discretization<dim> &discretization,
  * constraints' local lines must contain them.
  */
 template <int dim>
-void assemble_stiffness(const Discretization<dim> &discretization,
-                        ElementStiffness<dim> &stiffness,
-                        const dealii::AffineConstraints<double> &constraints,
-                        LA::SparseMatrix &matrix);
+void
+assemble_stiffness(const Discretization<dim> &discretization,
+                   ElementStiffness<dim> &stiffness,
+                   const dealii::AffineConstraints<double> &constraints,
+                   LA::SparseMatrix &matrix);
 } // namespace Setsudan

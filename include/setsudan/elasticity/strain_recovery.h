@@ -12,10 +12,12 @@ namespace Setsudan
 {
 /** Where in a cell stress is asked for: its nodes, or its Gauss points. */
 template <int dim>
-dealii::Quadrature<dim> node_points();
+dealii::Quadrature<dim>
+node_points();
 
 template <int dim>
-dealii::Quadrature<dim> gauss_points();
+dealii::Quadrature<dim>
+gauss_points();
 
 /**
  * Displacement gradients of a cell, and the strain and stress that follow
@@ -32,13 +34,17 @@ public:
                  const dealii::Quadrature<dim> &points);
 
   /** Evaluate a displacement (with ghosts) on a cell. */
-  void reinit(const Cell &cell, const LA::Vector &displacement);
+  void
+  reinit(const Cell &cell, const LA::Vector &displacement);
 
-  unsigned int n_points() const;
+  unsigned int
+  n_points() const;
 
-  const dealii::Tensor<2, dim> &gradient(const unsigned int point) const;
+  const dealii::Tensor<2, dim> &
+  gradient(const unsigned int point) const;
 
-  dealii::SymmetricTensor<2, dim> strain(const unsigned int point) const;
+  dealii::SymmetricTensor<2, dim>
+  strain(const unsigned int point) const;
 
 private:
   dealii::FEValues<dim> fe_values;
@@ -59,6 +65,7 @@ struct DeformationExtremes
 
 /** @param displacement with ghosts. */
 template <int dim>
-DeformationExtremes find_extremes(const Discretization<dim> &discretization,
-                                  const LA::Vector &displacement);
+DeformationExtremes
+find_extremes(const Discretization<dim> &discretization,
+              const LA::Vector &displacement);
 } // namespace Setsudan

@@ -13,7 +13,8 @@ namespace Setsudan
  * @return a vector on `to`, without ghosts.
  */
 template <int dim>
-LA::Vector transfer(const Discretization<dim> &from,
-                    const LA::Vector &displacement,
-                    const Discretization<dim> &to);
+LA::Vector
+transfer(const Discretization<dim> &from,
+         const LA::Vector &displacement,
+         const Discretization<dim> &to);
 } // namespace Setsudan

@@ -40,10 +40,12 @@ public:
   FE_Q_Serendipity();
 
   /** "FE_Q_Serendipity<dim>()". */
-  std::string get_name() const override;
+  std::string
+  get_name() const override;
 
   /** A copy of this object. */
-  std::unique_ptr<FiniteElement<dim>> clone() const override;
+  std::unique_ptr<FiniteElement<dim>>
+  clone() const override;
 
   /** One constant mode, in which all degrees of freedom are equal. */
   std::pair<Table<2, bool>, std::vector<unsigned int>>
@@ -51,16 +53,19 @@ public:
 
   /** Whether function @p shape_index is non-zero somewhere on the face: true
    * for the functions whose node lies on it. */
-  bool has_support_on_face(const unsigned int shape_index,
-                           const unsigned int face_index) const override;
+  bool
+  has_support_on_face(const unsigned int shape_index,
+                      const unsigned int face_index) const override;
 
   /** The degrees of freedom are the values at the support points. */
-  void convert_generalized_support_point_values_to_dof_values(
+  void
+  convert_generalized_support_point_values_to_dof_values(
     const std::vector<Vector<double>> &support_point_values,
     std::vector<double> &nodal_values) const override;
 
   /** True, see the description of the class. */
-  bool hp_constraints_are_implemented() const override;
+  bool
+  hp_constraints_are_implemented() const override;
 
   /**
    * The face functions of this element at the face nodes of @p source, which
@@ -76,7 +81,8 @@ public:
    * of @p source, a serendipity element on child @p subface of the face. A
    * row constrains a node of the refined side.
    */
-  void get_subface_interpolation_matrix(
+  void
+  get_subface_interpolation_matrix(
     const FiniteElement<dim> &source,
     const unsigned int subface,
     FullMatrix<double> &interpolation_matrix,
@@ -103,6 +109,7 @@ public:
 
 private:
   /** Compute the nodal interpolation from a cell to its children, and back. */
-  void initialize_embedding_and_restriction();
+  void
+  initialize_embedding_and_restriction();
 };
 } // namespace Setsudan

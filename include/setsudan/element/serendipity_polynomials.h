@@ -37,52 +37,60 @@ public:
   SerendipityPolynomials();
 
   /** The nodes on the unit cell, in the order of the functions. */
-  static std::vector<Point<dim>> nodes();
+  static std::vector<Point<dim>>
+  nodes();
 
   /**
    * All functions at @p unit_point. Each vector has either one entry for each
    * function or none; what is empty is not computed.
    */
-  void evaluate(const Point<dim> &unit_point,
-                std::vector<double> &values,
-                std::vector<Tensor<1, dim>> &grads,
-                std::vector<Tensor<2, dim>> &grad_grads,
-                std::vector<Tensor<3, dim>> &third_derivatives,
-                std::vector<Tensor<4, dim>> &fourth_derivatives) const override;
+  void
+  evaluate(const Point<dim> &unit_point,
+           std::vector<double> &values,
+           std::vector<Tensor<1, dim>> &grads,
+           std::vector<Tensor<2, dim>> &grad_grads,
+           std::vector<Tensor<3, dim>> &third_derivatives,
+           std::vector<Tensor<4, dim>> &fourth_derivatives) const override;
 
   /** The value of function @p i at @p p. */
-  double compute_value(const unsigned int i,
-                       const Point<dim> &p) const override;
+  double
+  compute_value(const unsigned int i, const Point<dim> &p) const override;
 
   /** The gradient of function @p i at @p p. */
-  Tensor<1, dim> compute_1st_derivative(const unsigned int i,
-                                        const Point<dim> &p) const override;
+  Tensor<1, dim>
+  compute_1st_derivative(const unsigned int i,
+                         const Point<dim> &p) const override;
 
   /** The second derivatives of function @p i at @p p. */
-  Tensor<2, dim> compute_2nd_derivative(const unsigned int i,
-                                        const Point<dim> &p) const override;
+  Tensor<2, dim>
+  compute_2nd_derivative(const unsigned int i,
+                         const Point<dim> &p) const override;
 
   /** The third derivatives of function @p i at @p p. */
-  Tensor<3, dim> compute_3rd_derivative(const unsigned int i,
-                                        const Point<dim> &p) const override;
+  Tensor<3, dim>
+  compute_3rd_derivative(const unsigned int i,
+                         const Point<dim> &p) const override;
 
   /** The fourth derivatives of function @p i at @p p. */
-  Tensor<4, dim> compute_4th_derivative(const unsigned int i,
-                                        const Point<dim> &p) const override;
+  Tensor<4, dim>
+  compute_4th_derivative(const unsigned int i,
+                         const Point<dim> &p) const override;
 
   /** The same as compute_1st_derivative(). */
-  Tensor<1, dim> compute_grad(const unsigned int i,
-                              const Point<dim> &p) const override;
+  Tensor<1, dim>
+  compute_grad(const unsigned int i, const Point<dim> &p) const override;
 
   /** The same as compute_2nd_derivative(). */
-  Tensor<2, dim> compute_grad_grad(const unsigned int i,
-                                   const Point<dim> &p) const override;
+  Tensor<2, dim>
+  compute_grad_grad(const unsigned int i, const Point<dim> &p) const override;
 
   /** "SerendipityPolynomials". */
-  std::string name() const override;
+  std::string
+  name() const override;
 
   /** A copy of this object. */
-  std::unique_ptr<ScalarPolynomialsBase<dim>> clone() const override;
+  std::unique_ptr<ScalarPolynomialsBase<dim>>
+  clone() const override;
 
 private:
   /** The power of each variable in a monomial, or the order of a derivative
@@ -90,23 +98,26 @@ private:
   using Exponents = std::array<unsigned int, dim>;
 
   /** The exponents of all monomials of superlinear degree at most two. */
-  static std::vector<Exponents> monomials();
+  static std::vector<Exponents>
+  monomials();
 
   /** The derivative of the monomial with these @p exponents. */
-  static double monomial_derivative(const Exponents &exponents,
-                                    const Exponents &orders,
-                                    const Point<dim> &p);
+  static double
+  monomial_derivative(const Exponents &exponents,
+                      const Exponents &orders,
+                      const Point<dim> &p);
 
   /** One mixed derivative of function @p i, its value if all @p orders are
    * zero. */
-  double mixed_derivative(const unsigned int i,
-                          const Exponents &orders,
-                          const Point<dim> &p) const;
+  double
+  mixed_derivative(const unsigned int i,
+                   const Exponents &orders,
+                   const Point<dim> &p) const;
 
   /** All derivatives of one order of function @p i. */
   template <int order>
-  Tensor<order, dim> all_derivatives(const unsigned int i,
-                                     const Point<dim> &p) const;
+  Tensor<order, dim>
+  all_derivatives(const unsigned int i, const Point<dim> &p) const;
 
   const std::vector<Exponents> exponents;
 

@@ -34,10 +34,11 @@ public:
    *
    * @param displacement with ghosts.
    */
-  void write(const unsigned int frame,
-             const ElasticModel<dim> &model,
-             const LA::Vector &displacement,
-             const ElementLabels &labels);
+  void
+  write(const unsigned int frame,
+        const ElasticModel<dim> &model,
+        const LA::Vector &displacement,
+        const ElementLabels &labels);
 
 private:
   const OutputDirectory &directory;

@@ -22,10 +22,11 @@ namespace Setsudan
  * @param displacement with ghosts.
  */
 template <int dim>
-void write_node_table(const Body<dim> &body,
-                      const ElasticModel<dim> &model,
-                      const std::vector<Seam<dim>> &seams,
-                      const LA::Vector &displacement,
-                      const OutputDirectory &directory,
-                      const std::string &name);
+void
+write_node_table(const Body<dim> &body,
+                 const ElasticModel<dim> &model,
+                 const std::vector<Seam<dim>> &seams,
+                 const LA::Vector &displacement,
+                 const OutputDirectory &directory,
+                 const std::string &name);
 } // namespace Setsudan

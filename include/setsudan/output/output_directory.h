@@ -22,7 +22,8 @@ struct OutputParameters
   Frames frames;
   bool node_tables;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   explicit OutputParameters(const Parameters &parameters);
 };
@@ -47,11 +48,13 @@ public:
    *
    * @throw std::runtime_error where that is not possible, with the reason.
    */
-  void write(const std::string &name,
-             const std::function<void(std::ostream &)> &write_to) const;
+  void
+  write(const std::string &name,
+        const std::function<void(std::ostream &)> &write_to) const;
 
   /** The same for writers that want a name; it ends like `name`. */
-  void write_file(
+  void
+  write_file(
     const std::string &name,
     const std::function<void(const std::string &file_name)> &write_to) const;
 

@@ -26,7 +26,8 @@ struct PieceMesh
   /** The elements' numbers in the uncut body. */
   std::vector<unsigned int> elements_in_body;
 
-  double volume() const;
+  double
+  volume() const;
 };
 
 /** The pieces of a mesh, in the order of their numbers in `pieces`. */
@@ -39,13 +40,15 @@ make_piece_meshes(const CoarseMesh<dim> &mesh,
 /** Write a piece as a gmsh file (MSH 4.1, 20-node hexahedra or 8-node
  * quadrilaterals), its numbers plus 1, since gmsh counts from 1. */
 template <int dim>
-void write_piece_msh(const PieceMesh<dim> &piece,
-                     const OutputDirectory &directory,
-                     const std::string &name);
+void
+write_piece_msh(const PieceMesh<dim> &piece,
+                const OutputDirectory &directory,
+                const std::string &name);
 
 /** Write a piece for ParaView, with its numbers. */
 template <int dim>
-void write_piece_vtu(const PieceMesh<dim> &piece,
-                     const OutputDirectory &directory,
-                     const std::string &name);
+void
+write_piece_vtu(const PieceMesh<dim> &piece,
+                const OutputDirectory &directory,
+                const std::string &name);
 } // namespace Setsudan

@@ -20,24 +20,30 @@ public:
   ~Progress();
 
   /** A line that stays. */
-  void say(const std::string &line);
+  void
+  say(const std::string &line);
 
   /** A line that stays and stands out. */
-  void warn(const std::string &line);
+  void
+  warn(const std::string &line);
 
   /** Where a cut stands, replacing the last such line on a terminal. */
-  void show(const std::string &line);
+  void
+  show(const std::string &line);
 
   /** Seconds since the start. */
-  double seconds() const;
+  double
+  seconds() const;
 
   /** The time left after `done` of `all` equal parts since `begin`. */
-  std::string time_left(const double begin,
-                        const unsigned int done,
-                        const unsigned int all) const;
+  std::string
+  time_left(const double begin,
+            const unsigned int done,
+            const unsigned int all) const;
 
 private:
-  void finish_shown_line();
+  void
+  finish_shown_line();
 
   const std::chrono::steady_clock::time_point start;
   const bool speaks;

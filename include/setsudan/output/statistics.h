@@ -40,7 +40,8 @@ struct Event
 class Statistics
 {
 public:
-  void add(const Event &event, const OutputDirectory &directory);
+  void
+  add(const Event &event, const OutputDirectory &directory);
 
 private:
   std::string table;

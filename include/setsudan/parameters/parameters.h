@@ -37,44 +37,52 @@ public:
              const std::vector<SceneEntry> &entries,
              const Declare &declare);
 
-  double number(const std::string &subsection, const std::string &name) const;
+  double
+  number(const std::string &subsection, const std::string &name) const;
 
-  unsigned int natural(const std::string &subsection,
-                       const std::string &name) const;
+  unsigned int
+  natural(const std::string &subsection, const std::string &name) const;
 
-  bool truth(const std::string &subsection, const std::string &name) const;
+  bool
+  truth(const std::string &subsection, const std::string &name) const;
 
-  std::string text(const std::string &subsection,
-                   const std::string &name) const;
+  std::string
+  text(const std::string &subsection, const std::string &name) const;
 
   /** Numbers separated by commas; `count` of them, or any number if 0. */
-  std::vector<double> numbers(const std::string &subsection,
-                              const std::string &name,
-                              const unsigned int count = 0) const;
+  std::vector<double>
+  numbers(const std::string &subsection,
+          const std::string &name,
+          const unsigned int count = 0) const;
 
   /** Whether the scene file or the command line names this parameter. */
-  bool is_given(const std::string &subsection, const std::string &name) const;
+  bool
+  is_given(const std::string &subsection, const std::string &name) const;
 
   /**
    * Refuse the value of a parameter. `allowed` completes "allowed is ...".
    *
    * @throw SceneError always; it names file, line, subsection, name and value.
    */
-  [[noreturn]] void reject(const std::string &subsection,
-                           const std::string &name,
-                           const std::string &allowed) const;
+  [[noreturn]] void
+  reject(const std::string &subsection,
+         const std::string &name,
+         const std::string &allowed) const;
 
   /** reject() unless `condition` holds. */
-  void require(const bool condition,
-               const std::string &subsection,
-               const std::string &name,
-               const std::string &allowed) const;
+  void
+  require(const bool condition,
+          const std::string &subsection,
+          const std::string &name,
+          const std::string &allowed) const;
 
   /** All parameters as a scene file, with their documentation. */
-  void print(std::ostream &out) const;
+  void
+  print(std::ostream &out) const;
 
 private:
-  void set(const SceneEntry &entry);
+  void
+  set(const SceneEntry &entry);
 
   dealii::ParameterHandler handler;
   std::map<std::pair<std::string, std::string>, std::string> locations;
@@ -83,10 +91,11 @@ private:
 
 /** Declare a parameter in `subsection`; the last words of its documentation
  * are its unit, in brackets. */
-void declare(dealii::ParameterHandler &handler,
-             const std::string &subsection,
-             const std::string &name,
-             const std::string &default_value,
-             const dealii::Patterns::PatternBase &pattern,
-             const std::string &documentation);
+void
+declare(dealii::ParameterHandler &handler,
+        const std::string &subsection,
+        const std::string &name,
+        const std::string &default_value,
+        const dealii::Patterns::PatternBase &pattern,
+        const std::string &documentation);
 } // namespace Setsudan

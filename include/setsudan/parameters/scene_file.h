@@ -35,7 +35,8 @@ struct SceneEntry
  *
  * @throw SceneError where the file cannot be read or its syntax is wrong.
  */
-std::vector<SceneEntry> read_scene_file(const std::string &file_name);
+std::vector<SceneEntry>
+read_scene_file(const std::string &file_name);
 
 /**
  * The entry that the command line option `--set Subsection/Name=value` stands
@@ -43,5 +44,6 @@ std::vector<SceneEntry> read_scene_file(const std::string &file_name);
  *
  * @throw SceneError where there is no '='.
  */
-SceneEntry parse_assignment(const std::string &assignment);
+SceneEntry
+parse_assignment(const std::string &assignment);
 } // namespace Setsudan

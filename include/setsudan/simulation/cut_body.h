@@ -26,28 +26,36 @@ public:
    *
    * @throw std::runtime_error where the cut goes through a piece that nothing
    * holds against the blade. */
-  void approach(const CutSurface<dim> &surface);
+  void
+  approach(const CutSurface<dim> &surface);
 
   /** Duplicate the newest surface's nodes; all its pairs are tied. */
-  void open();
+  void
+  open();
 
   /** Let go of the newest seam, find the pieces, and hold those that have lost
    * their support.
    *
    * @throw std::runtime_error where a lost piece's loads are not balanced. */
-  void divide();
+  void
+  divide();
 
   /** The seam of the newest cut. */
-  Seam<dim> &seam();
-  const Seam<dim> &seam() const;
+  Seam<dim> &
+  seam();
+  const Seam<dim> &
+  seam() const;
 
   /** Supports, the seams and what holds loose pieces; closed. */
-  dealii::AffineConstraints<double> constraints() const;
+  dealii::AffineConstraints<double>
+  constraints() const;
 
   /** Volume of all elements (area in 2D). */
-  double volume() const;
+  double
+  volume() const;
 
-  unsigned int n_pieces() const;
+  unsigned int
+  n_pieces() const;
 
   const MPI_Comm communicator;
   CoarseMesh<dim> mesh;
@@ -58,9 +66,11 @@ public:
 
 private:
   /** Make the model and the seams of all surfaces on the present mesh. */
-  void rebuild();
+  void
+  rebuild();
 
-  Seam<dim> make_seam(const CutSurface<dim> &surface) const;
+  Seam<dim>
+  make_seam(const CutSurface<dim> &surface) const;
 
   const Scene<dim> &scene;
   std::vector<CutSurface<dim>> surfaces;

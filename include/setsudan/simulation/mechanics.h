@@ -19,13 +19,15 @@ struct BladeLoad
 
 /** No blade: all forces zero. */
 template <int dim>
-BladeLoad<dim> no_blade(const CutBody<dim> &body);
+BladeLoad<dim>
+no_blade(const CutBody<dim> &body);
 
 /** The blade on the front of a row of the newest cut. */
 template <int dim>
-BladeLoad<dim> blade_on_row(const Scene<dim> &scene,
-                            const CutBody<dim> &body,
-                            const unsigned int row);
+BladeLoad<dim>
+blade_on_row(const Scene<dim> &scene,
+             const CutBody<dim> &body,
+             const unsigned int row);
 
 /** A solved state of the body. */
 template <int dim>
@@ -45,7 +47,8 @@ struct State
 
 /** The undeformed body, on the present mesh. */
 template <int dim>
-State<dim> rest_state(const CutBody<dim> &body);
+State<dim>
+rest_state(const CutBody<dim> &body);
 
 /**
  * Solve for the body under its loads and `load_factor` times the blade.
@@ -53,27 +56,30 @@ State<dim> rest_state(const CutBody<dim> &body);
  * @param guess a displacement near the solution.
  */
 template <int dim>
-State<dim> solve_state(const Scene<dim> &scene,
-                       CutBody<dim> &body,
-                       const BladeLoad<dim> &blade,
-                       const double load_factor,
-                       const LA::Vector &guess);
+State<dim>
+solve_state(const Scene<dim> &scene,
+            CutBody<dim> &body,
+            const BladeLoad<dim> &blade,
+            const double load_factor,
+            const LA::Vector &guess);
 
 /** Solve for the smallest load factor at which a row yields, or the largest
  * allowed one where it does not. The load enters linearly: two solves. */
 template <int dim>
-State<dim> solve_ramp(const Scene<dim> &scene,
-                      CutBody<dim> &body,
-                      const BladeLoad<dim> &blade,
-                      const unsigned int row);
+State<dim>
+solve_ramp(const Scene<dim> &scene,
+           CutBody<dim> &body,
+           const BladeLoad<dim> &blade,
+           const unsigned int row);
 
 /** Set the cutting stress of a state that solve_state() made, and whether the
  * row yields. */
 template <int dim>
-void judge(const Scene<dim> &scene,
-           const CutBody<dim> &body,
-           const unsigned int row,
-           State<dim> &state);
+void
+judge(const Scene<dim> &scene,
+      const CutBody<dim> &body,
+      const unsigned int row,
+      State<dim> &state);
 
 /**
  * Fill the columns of a state: energies, residuals, extremes.
@@ -81,11 +87,12 @@ void judge(const Scene<dim> &scene,
  * @throw SolverError where forces or moments are not in balance.
  */
 template <int dim>
-void describe_state(const Scene<dim> &scene,
-                    CutBody<dim> &body,
-                    const BladeLoad<dim> &blade,
-                    const State<dim> &state,
-                    Event &event);
+void
+describe_state(const Scene<dim> &scene,
+               CutBody<dim> &body,
+               const BladeLoad<dim> &blade,
+               const State<dim> &state,
+               Event &event);
 
 /**
  * Assert that letting go of constraints has not raised the potential energy
@@ -97,7 +104,8 @@ void describe_state(const Scene<dim> &scene,
  * @throw SolverError with the numbers where it does not hold.
  */
 template <int dim>
-void check_energy_of_split(CutBody<dim> &body,
-                           const State<dim> &before,
-                           const State<dim> &after);
+void
+check_energy_of_split(CutBody<dim> &body,
+                      const State<dim> &before,
+                      const State<dim> &after);
 } // namespace Setsudan

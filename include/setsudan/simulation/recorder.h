@@ -22,27 +22,32 @@ public:
            const MPI_Comm communicator);
 
   /** Add an event of the present state to the statistics. */
-  void record(const std::string &name, const Event &event);
+  void
+  record(const std::string &name, const Event &event);
 
   /**
    * Write a solved state, as far as the scene asks for it. `is_stage` marks
    * the states that tell the story of a cut in few pictures.
    */
-  void write_state(const CutBody<dim> &body,
-                   const State<dim> &state,
-                   const unsigned int frame,
-                   const bool is_stage);
+  void
+  write_state(const CutBody<dim> &body,
+              const State<dim> &state,
+              const unsigned int frame,
+              const bool is_stage);
 
   /** Write the pieces of the body as bodies of their own.
    *
    * @throw std::runtime_error where volume has been lost. */
-  void write_pieces(const CutBody<dim> &body);
+  void
+  write_pieces(const CutBody<dim> &body);
 
   /** Warn, once each, where a linear solution has left its range. */
-  void warn_of_range(const Event &event);
+  void
+  warn_of_range(const Event &event);
 
   /** Say where the cut stands. */
-  void show_row(const Event &event, const unsigned int n_rows);
+  void
+  show_row(const Event &event, const unsigned int n_rows);
 
   Progress progress;
 

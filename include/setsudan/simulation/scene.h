@@ -19,14 +19,16 @@ namespace Setsudan
 /** The dimension that a scene file asks for: 2 or 3.
  *
  * @throw SceneError where it asks for another. */
-unsigned int scene_dimension(const std::vector<SceneEntry> &entries);
+unsigned int
+scene_dimension(const std::vector<SceneEntry> &entries);
 
 /** Everything a run needs to know: the parameters of all rooms, checked one by
  * one and against each other. */
 template <int dim>
 struct Scene
 {
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   /** @throw SceneError for what is not possible. */
   explicit Scene(const Parameters &parameters);

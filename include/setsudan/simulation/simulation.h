@@ -20,32 +20,44 @@ public:
              const MPI_Comm communicator);
 
   /** @throw SolverError or std::runtime_error where the run cannot go on. */
-  void run();
+  void
+  run();
 
 private:
   /** Make one cut; the answer is whether it went through. */
-  bool make_cut(const unsigned int cut);
+  bool
+  make_cut(const unsigned int cut);
 
-  void rest();
+  void
+  rest();
 
-  void deform_only();
+  void
+  deform_only();
 
-  void approach(const unsigned int cut);
+  void
+  approach(const unsigned int cut);
 
-  void deform(const unsigned int row);
+  void
+  deform(const unsigned int row);
 
-  bool row_yields(const unsigned int row);
+  bool
+  row_yields(const unsigned int row);
 
-  void arrest();
+  void
+  arrest();
 
-  void open();
+  void
+  open();
 
-  void release(const unsigned int row);
+  void
+  release(const unsigned int row);
 
-  void divide();
+  void
+  divide();
 
   /** Take a solved state, and check what must hold from the last to it. */
-  void accept(State<dim> &&new_state, const BladeLoad<dim> &blade);
+  void
+  accept(State<dim> &&new_state, const BladeLoad<dim> &blade);
 
   const Scene<dim> &scene;
   Recorder<dim> recorder;

@@ -22,14 +22,18 @@ public:
 
   ~DirectSolver() override;
 
-  void initialize(const LA::SparseMatrix &matrix,
-                  const std::vector<std::vector<double>> &rigid_modes) override;
+  void
+  initialize(const LA::SparseMatrix &matrix,
+             const std::vector<std::vector<double>> &rigid_modes) override;
 
-  void solve(LA::Vector &x, const LA::Vector &b) override;
+  void
+  solve(LA::Vector &x, const LA::Vector &b) override;
 
-  std::string description() const override;
+  std::string
+  description() const override;
 
-  bool is_iterative() const override;
+  bool
+  is_iterative() const override;
 
 private:
   const bool small;

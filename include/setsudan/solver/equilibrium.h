@@ -31,13 +31,15 @@ public:
    * @throw SolverError where the solver fails or its result does not fulfil
    *   the equations.
    */
-  LA::Vector solve(const LA::Vector &forces,
-                   const LA::Vector &prescribed,
-                   const LA::Vector &guess);
+  LA::Vector
+  solve(const LA::Vector &forces,
+        const LA::Vector &prescribed,
+        const LA::Vector &guess);
 
 private:
   /** The forces on the unconstrained unknowns. */
-  LA::Vector condense(const LA::Vector &forces) const;
+  LA::Vector
+  condense(const LA::Vector &forces) const;
 
   ElasticModel<dim> &model;
   const dealii::AffineConstraints<double> &constraints;

@@ -40,13 +40,16 @@ public:
    *
    * @throw SolverError where it fails.
    */
-  virtual void solve(LA::Vector &x, const LA::Vector &b) = 0;
+  virtual void
+  solve(LA::Vector &x, const LA::Vector &b) = 0;
 
   /** The method, in words. */
-  virtual std::string description() const = 0;
+  virtual std::string
+  description() const = 0;
 
   /** Whether it makes use of rigid modes and of a first guess. */
-  virtual bool is_iterative() const = 0;
+  virtual bool
+  is_iterative() const = 0;
 };
 
 /** The solver that the parameters ask for; `auto` decides by the size. */

@@ -19,7 +19,8 @@ struct SolverParameters
   double tolerance;
   unsigned int max_iterations;
 
-  static void declare(dealii::ParameterHandler &handler);
+  static void
+  declare(dealii::ParameterHandler &handler);
 
   explicit SolverParameters(const Parameters &parameters);
 };
