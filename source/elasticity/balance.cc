@@ -2,13 +2,12 @@
 
 #include <setsudan/elasticity/balance.h>
 
-
 namespace Setsudan
 {
 using namespace dealii;
 
 template <int dim>
-Balance
+BodyBalance<dim>
 check_balance(const Discretization<dim> &discretization,
               const IndexSet &supported,
               const LA::Vector &internal,
@@ -16,72 +15,47 @@ check_balance(const Discretization<dim> &discretization,
               const LA::Vector &applied,
               const std::vector<PointForce<dim>> &blade)
 {
+  const MPI_Comm communicator = discretization.communicator;
   Resultant<dim> resultant(discretization);
+  BodyBalance<dim> balance;
   const auto sites   = discretization.sites();
   unsigned int local = 0;
   for (const auto index : discretization.owned)
     {
+      const auto &[position, component] = sites[local++];
       Tensor<1, dim> force;
-      double &component = force[sites[local].component];
-      component         = loads(index);
+      force[component] = loads(index);
       if (supported.is_element(index))
-        component += internal(index) - applied(index);
-      if (component != 0)
-        resultant.add(sites[local].position, force);
-      ++local;
+        {
+          force[component] += internal(index) - applied(index);
+          balance.reaction[component] += internal(index) - applied(index);
+        }
+      if (force[component] != 0)
+        resultant.add(position, force);
     }
-  if (Utilities::MPI::this_mpi_process(discretization.communicator) == 0)
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
     for (const auto &[point, force] : blade)
       resultant.add(point, force);
   resultant.sum_over_processes();
-  return resultant.relative();
+  static_cast<Balance &>(balance) = resultant.relative();
+  balance.reaction = Utilities::MPI::sum(balance.reaction, communicator);
+  return balance;
 }
 
 
 
-template <int dim>
-Tensor<1, dim>
-support_reaction(const Discretization<dim> &discretization,
-                 const IndexSet &supported,
-                 const LA::Vector &internal,
-                 const LA::Vector &applied)
-{
-  Tensor<1, dim> reaction;
-  const auto sites   = discretization.sites();
-  unsigned int local = 0;
-  for (const auto index : discretization.owned)
-    {
-      if (supported.is_element(index))
-        reaction[sites[local].component] += internal(index) - applied(index);
-      ++local;
-    }
-  return Utilities::MPI::sum(reaction, discretization.communicator);
-}
-
-
-
-template Balance
+template BodyBalance<2>
 check_balance(const Discretization<2> &,
               const IndexSet &,
               const LA::Vector &,
               const LA::Vector &,
               const LA::Vector &,
               const std::vector<PointForce<2>> &);
-template Balance
+template BodyBalance<3>
 check_balance(const Discretization<3> &,
               const IndexSet &,
               const LA::Vector &,
               const LA::Vector &,
               const LA::Vector &,
               const std::vector<PointForce<3>> &);
-template Tensor<1, 2>
-support_reaction(const Discretization<2> &,
-                 const IndexSet &,
-                 const LA::Vector &,
-                 const LA::Vector &);
-template Tensor<1, 3>
-support_reaction(const Discretization<3> &,
-                 const IndexSet &,
-                 const LA::Vector &,
-                 const LA::Vector &);
 } // namespace Setsudan

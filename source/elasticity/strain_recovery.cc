@@ -101,11 +101,12 @@ find_min_jacobian(const StrainRecovery<dim> &recovery, double &min_jacobian)
 template <int dim>
 DeformationExtremes
 find_extremes(const Discretization<dim> &discretization,
+              const Hooke &material,
               const LA::Vector &displacement)
 {
   StrainRecovery<dim> at_nodes(discretization, node_points<dim>());
   StrainRecovery<dim> at_gauss_points(discretization, gauss_points<dim>());
-  DeformationExtremes extremes{std::numeric_limits<double>::max(), 0, 0};
+  DeformationExtremes extremes{std::numeric_limits<double>::max(), 0, 0, 0};
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
@@ -114,9 +115,14 @@ find_extremes(const Discretization<dim> &discretization,
         find_min_jacobian(at_nodes, extremes.min_jacobian);
         find_min_jacobian(at_gauss_points, extremes.min_jacobian);
         for (unsigned int p = 0; p < at_gauss_points.n_points(); ++p)
-          for (const double principal : eigenvalues(at_gauss_points.strain(p)))
-            extremes.max_strain =
-              std::max(extremes.max_strain, std::abs(principal));
+          {
+            const auto strain = at_gauss_points.strain(p);
+            for (const double principal : eigenvalues(strain))
+              extremes.max_strain =
+                std::max(extremes.max_strain, std::abs(principal));
+            extremes.max_shear = std::max(
+              extremes.max_shear, maximum_shear(material.stress(strain)));
+          }
         for (const auto &node : discretization.node_indices(cell))
           {
             Tensor<1, dim> u;
@@ -129,6 +135,7 @@ find_extremes(const Discretization<dim> &discretization,
   const MPI_Comm communicator = discretization.communicator;
   return {Utilities::MPI::min(extremes.min_jacobian, communicator),
           Utilities::MPI::max(extremes.max_strain, communicator),
+          Utilities::MPI::max(extremes.max_shear, communicator),
           Utilities::MPI::max(extremes.max_displacement, communicator)};
 }
 
@@ -145,7 +152,7 @@ gauss_points();
 template class StrainRecovery<2>;
 template class StrainRecovery<3>;
 template DeformationExtremes
-find_extremes(const Discretization<2> &, const LA::Vector &);
+find_extremes(const Discretization<2> &, const Hooke &, const LA::Vector &);
 template DeformationExtremes
-find_extremes(const Discretization<3> &, const LA::Vector &);
+find_extremes(const Discretization<3> &, const Hooke &, const LA::Vector &);
 } // namespace Setsudan

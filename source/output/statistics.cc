@@ -13,7 +13,8 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
     table = "frame,event,cut,row,released_rows,depth,load_factor,blade_force,"
             "cutting_stress,required_stress,strain_energy,potential_energy,"
             "max_displacement,force_residual,moment_residual,min_jacobian,"
-            "pieces,seconds,max_strain\n";
+            "pieces,seconds,max_strain,max_shear,reaction_x,reaction_y,"
+            "reaction_z\n";
   std::ostringstream line;
   line << std::setprecision(12) << event.frame << ',' << event.name << ','
        << event.cut << ',' << event.row << ',' << event.released_rows << ','
@@ -24,7 +25,10 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
        << event.force_residual << ',' << event.moment_residual << ','
        << std::setprecision(12) << event.min_jacobian << ',' << event.pieces
        << ',' << std::setprecision(4) << event.seconds << ','
-       << std::setprecision(12) << event.max_strain << '\n';
+       << std::setprecision(12) << event.max_strain << ',' << event.max_shear;
+  for (const double component : event.reaction)
+    line << ',' << component;
+  line << '\n';
   table += line.str();
   directory.write("statistics.csv", [&](std::ostream &out) { out << table; });
 }

@@ -178,10 +178,13 @@ describe_state(const Scene<dim> &scene,
     event.strain_energy - state.forces * state.displacement;
   event.pieces = body.n_pieces();
 
-  const auto extremes = find_extremes(
-    discretization, discretization.with_ghosts(state.displacement));
+  const auto extremes =
+    find_extremes(discretization,
+                  body.model->material,
+                  discretization.with_ghosts(state.displacement));
   event.min_jacobian     = extremes.min_jacobian;
   event.max_strain       = extremes.max_strain;
+  event.max_shear        = extremes.max_shear;
   event.max_displacement = extremes.max_displacement;
 
   std::vector<PointForce<dim>> forces = blade.forces;
@@ -190,14 +193,16 @@ describe_state(const Scene<dim> &scene,
       force.force *= state.load_factor;
       event.blade_force += force.force * scene.blade.direction;
     }
-  const Balance balance  = check_balance(discretization,
-                                        body.model->supported,
-                                        internal,
-                                        body.model->loads,
-                                        state.forces,
-                                        forces);
-  event.force_residual   = balance.force_residual;
-  event.moment_residual  = balance.moment_residual;
+  const auto balance    = check_balance(discretization,
+                                     body.model->supported,
+                                     internal,
+                                     body.model->loads,
+                                     state.forces,
+                                     forces);
+  event.force_residual  = balance.force_residual;
+  event.moment_residual = balance.moment_residual;
+  for (unsigned int d = 0; d < dim; ++d)
+    event.reaction[d] = balance.reaction[d];
   const double tolerance = std::max(1e-8, 100 * scene.solver.tolerance);
   if (!(balance.force_residual <= tolerance &&
         balance.moment_residual <= tolerance))

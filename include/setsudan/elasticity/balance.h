@@ -16,6 +16,13 @@ struct PointForce
   dealii::Tensor<1, dim> force;
 };
 
+/** The balance of a body, and what its supports give back to it. */
+template <int dim>
+struct BodyBalance : public Balance
+{
+  dealii::Tensor<1, dim> reaction;
+};
+
 /**
  * The balance of all that acts on the body: the loads, the blade and what the
  * supports give back. The blade's forces are taken where the scene puts them
@@ -29,19 +36,11 @@ struct PointForce
  * @param blade      the blade's forces as the scene means them.
  */
 template <int dim>
-Balance
+BodyBalance<dim>
 check_balance(const Discretization<dim> &discretization,
               const dealii::IndexSet &supported,
               const LA::Vector &internal,
               const LA::Vector &loads,
               const LA::Vector &applied,
               const std::vector<PointForce<dim>> &blade);
-
-/** The sum of what the supports give back to the body. */
-template <int dim>
-dealii::Tensor<1, dim>
-support_reaction(const Discretization<dim> &discretization,
-                 const dealii::IndexSet &supported,
-                 const LA::Vector &internal,
-                 const LA::Vector &applied);
 } // namespace Setsudan

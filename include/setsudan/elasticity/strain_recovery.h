@@ -59,6 +59,8 @@ struct DeformationExtremes
   double min_jacobian;
   /** Largest principal strain in magnitude, at Gauss points. */
   double max_strain;
+  /** Largest maximum shear stress, at Gauss points. */
+  double max_shear;
   /** Largest displacement of a node. */
   double max_displacement;
 };
@@ -67,5 +69,6 @@ struct DeformationExtremes
 template <int dim>
 DeformationExtremes
 find_extremes(const Discretization<dim> &discretization,
+              const Hooke &material,
               const LA::Vector &displacement);
 } // namespace Setsudan

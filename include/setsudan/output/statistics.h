@@ -2,6 +2,7 @@
 
 #include <setsudan/output/output_directory.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,12 @@ struct Event
   double min_jacobian     = 1;
   unsigned int pieces     = 1;
   double seconds          = 0;
-  double max_strain       = 0;
+  /** Largest principal strain and maximum shear at Gauss points: unlike the
+   * stress at nodes they are not taken where it is singular. */
+  double max_strain = 0;
+  double max_shear  = 0;
+  /** What the supports give back to the body. */
+  std::array<double, 3> reaction{};
 };
 
 /** The table statistics.csv, which is rewritten as a whole for every event. */
