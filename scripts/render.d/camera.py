@@ -13,7 +13,9 @@ class Camera:
         self.towards = np.array([0, 0, 1])
         if blade.dimension == 3:
             edge = blade.edge if blade.edge.sum() > 0 else -blade.edge
-            self.towards = unit(edge - across * blade.normal -
+            # A level cut is seen from above.
+            side = blade.normal if blade.axis == 2 else -blade.normal
+            self.towards = unit(edge + across * side -
                                 along * blade.direction)
             up = -blade.direction if abs(edge[2]) > 0.9 else np.eye(3)[2]
         self.right = unit(np.cross(up, self.towards))

@@ -59,7 +59,8 @@ class Pictures:
         colours = ScalarMappable(Normalize(*view["range"]), view["map"])
         name = view["field"].replace("_", " ")
         unit = f" [{view['unit']}]" if view["unit"] else ""
-        bar = figure.colorbar(colours, cax=axes, extend="max", **options)
+        bar = figure.colorbar(colours, cax=axes, **options,
+                              extend="both" if view["range"][0] else "max")
         bar.set_label(name + unit)
 
 

@@ -33,14 +33,18 @@ def main(path):
 
 def label_frame(pictures, frame, folder):
     height, width = pictures.image(frame).shape[:2]
-    figure = plt.figure(figsize=((width + 170) / 100, (height + 110) / 100))
-    body = figure.add_axes([0.01, 0.03, width / (width + 170),
-                            height / (height + 110)])
+    full_width, full_height = width + 170, height + 130
+    figure = plt.figure(figsize=(full_width / 100, full_height / 100))
+    body = figure.add_axes([0, 45 / full_height, width / full_width,
+                            height / full_height])
     pictures.draw(body, frame, font_size=13)
-    figure.text(0.02, 0.955, stage(pictures.run, frame), fontsize=17)
-    figure.text(0.02, 0.915, numbers(pictures.run, frame), fontsize=12)
-    figure.text(0.02, 0.012, legend(pictures.run), fontsize=11)
-    pictures.draw_colours(figure, figure.add_axes([0.88, 0.25, 0.02, 0.5]))
+    for text, size, top in ((stage(pictures.run, frame), 17, 40),
+                            (numbers(pictures.run, frame), 12, 70),
+                            (legend(pictures.run), 11, full_height - 12)):
+        figure.text(20 / full_width, 1 - top / full_height, text,
+                    fontsize=size)
+    pictures.draw_colours(figure, figure.add_axes([1 - 120 / full_width, 0.25,
+                                                   20 / full_width, 0.5]))
     name = os.path.join(folder, f"frame_{frame:04d}.png")
     figure.savefig(name, dpi=100)
     plt.close(figure)

@@ -134,6 +134,16 @@ Recorder<dim>::warn_of_range(const Event &event)
 
 template <int dim>
 void
+Recorder<dim>::warn_anew()
+{
+  warned_of_strain   = false;
+  warned_of_jacobian = false;
+}
+
+
+
+template <int dim>
+void
 Recorder<dim>::show_row(const Event &event, const unsigned int n_rows)
 {
   if (event.row == 0)

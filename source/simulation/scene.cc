@@ -1,3 +1,4 @@
+#include <setsudan/cut/blade_edge.h>
 #include <setsudan/elasticity/rigid_modes.h>
 #include <setsudan/simulation/scene.h>
 

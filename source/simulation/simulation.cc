@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/elasticity/transfer.h>
+#include <setsudan/simulation/checks.h>
 #include <setsudan/simulation/simulation.h>
 
 #include <sstream>
@@ -114,6 +115,7 @@ Simulation<dim>::approach(const unsigned int cut)
   body.approach(make_cut_surface(scene.body, scene.cut.surfaces[cut]));
   event.cut           = cut;
   event.released_rows = 0;
+  recorder.warn_anew();
   std::ostringstream line;
   line << "Cut " << cut << " (" << scene.cut.surfaces[cut].text
        << "): " << body.seam().rows().size() << " rows, "
@@ -179,7 +181,8 @@ Simulation<dim>::arrest()
   recorder.record("arrest", event);
   std::ostringstream line;
   line.precision(6);
-  line << "Arrested at row " << event.row << ": the cutting stress reached "
+  line << "Arrested at row " << event.row + 1 << " of "
+       << body.seam().rows().size() << ": the cutting stress reached "
        << event.cutting_stress << " and " << event.required_stress
        << " is required, at load factor " << event.load_factor << ".";
   recorder.progress.say(line.str());

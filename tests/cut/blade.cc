@@ -66,6 +66,12 @@ main(int argc, char **argv)
         moment += nodes[n] * forces[n];
       }
     std::cout << std::endl;
+    // Where an earlier cut crosses, two nodes share a position.
+    std::vector<double> halves(4);
+    for (const auto &share : share_edge_loads({{5, 8}, {4, 5}}, {0, 5, 5, 10}))
+      halves[share.node] += share.force;
+    std::cout << "crossing: " << halves[0] << " " << halves[1] << " "
+              << halves[2] << " " << halves[3] << std::endl;
     check_below("force", std::abs(force), 1e-14);
     check_below("moment", std::abs(moment), 1e-13);
   });

@@ -4,7 +4,7 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
-#include <setsudan/simulation/mechanics.h>
+#include <setsudan/simulation/state.h>
 
 #include <cmath>
 
@@ -84,26 +84,30 @@ public:
   }
 
 private:
-  bool is_plus(const unsigned int element) const
+  bool
+  is_plus(const unsigned int element) const
   {
     return scene.body.mesh.cell_center(element)[c.axis] > 5;
   }
 
-  bool is_split(const unsigned int element, const unsigned int node) const
+  bool
+  is_split(const unsigned int element, const unsigned int node) const
   {
     const auto p = scene.body.mesh.node_position(element, node);
     return std::abs(p[c.axis] - 5) < 1e-6 && c.sign * p[c.along] < front - 1e-6;
   }
 
-  bool is_fixed(const unsigned int element, const unsigned int node) const
+  bool
+  is_fixed(const unsigned int element, const unsigned int node) const
   {
     const auto p = scene.body.mesh.node_position(element, node);
     return p[2] < 1e-6 || (c.supports == "bottom, top" && p[2] > 10 - 1e-6);
   }
 
-  int unknown(const unsigned int element,
-              const unsigned int node,
-              const unsigned int component)
+  int
+  unknown(const unsigned int element,
+          const unsigned int node,
+          const unsigned int component)
   {
     if (is_fixed(element, node))
       return -1;
@@ -117,9 +121,10 @@ private:
     return inserted.first->second;
   }
 
-  double offset(const unsigned int element,
-                const unsigned int node,
-                const unsigned int component) const
+  double
+  offset(const unsigned int element,
+         const unsigned int node,
+         const unsigned int component) const
   {
     return component == c.axis && is_plus(element) && is_split(element, node) &&
                !is_fixed(element, node)
@@ -127,7 +132,8 @@ private:
              : 0;
   }
 
-  void add_load(const PointForce<3> &load, dealii::Vector<double> &x)
+  void
+  add_load(const PointForce<3> &load, dealii::Vector<double> &x)
   {
     for (unsigned int e = 0; e < scene.body.mesh.cells.size(); ++e)
       for (unsigned int n = 0; n < 20; ++n)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/cut/blade.h>
+#include <setsudan/cut/blade_edge.h>
 #include <setsudan/cut/node_pairs.h>
 
 #include <vector>

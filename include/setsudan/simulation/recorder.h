@@ -5,7 +5,7 @@
 #include <setsudan/output/progress.h>
 #include <setsudan/output/statistics.h>
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/simulation/mechanics.h>
+#include <setsudan/simulation/state.h>
 
 #include <string>
 
@@ -41,9 +41,13 @@ public:
   void
   write_pieces(const CutBody<dim> &body);
 
-  /** Warn, once each, where a linear solution has left its range. */
+  /** Warn where a linear solution has left its range: once each, until
+   * warn_anew() is called. */
   void
   warn_of_range(const Event &event);
+
+  void
+  warn_anew();
 
   /** Say where the cut stands. */
   void

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/simulation/mechanics.h>
 #include <setsudan/simulation/recorder.h>
+#include <setsudan/simulation/state.h>
 
 namespace Setsudan
 {

@@ -1,0 +1,147 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/elasticity/balance.h>
+#include <setsudan/elasticity/strain_recovery.h>
+#include <setsudan/simulation/checks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+template <int dim>
+LA::Vector
+internal_forces_of(CutBody<dim> &body, const LA::Vector &displacement)
+{
+  return internal_forces(body.model->discretization,
+                         body.model->stiffness,
+                         body.model->discretization.with_ghosts(displacement));
+}
+} // namespace
+
+
+template <int dim>
+void
+describe_state(const Scene<dim> &scene,
+               CutBody<dim> &body,
+               const BladeLoad<dim> &blade,
+               const State<dim> &state,
+               Event &event)
+{
+  const auto &discretization = body.model->discretization;
+  const LA::Vector internal  = internal_forces_of(body, state.displacement);
+
+  event.load_factor    = state.load_factor;
+  event.blade_force    = 0;
+  event.cutting_stress = state.cutting_stress;
+  event.required_stress =
+    required_stress(scene.material.shear_limit, scene.blade.sharpness);
+  event.strain_energy = 0.5 * (state.displacement * internal);
+  event.potential_energy =
+    event.strain_energy - state.forces * state.displacement;
+  event.pieces = body.n_pieces();
+
+  const auto extremes =
+    find_extremes(discretization,
+                  body.model->material,
+                  discretization.with_ghosts(state.displacement));
+  event.min_jacobian     = extremes.min_jacobian;
+  event.max_strain       = extremes.max_strain;
+  event.max_shear        = extremes.max_shear;
+  event.max_displacement = extremes.max_displacement;
+
+  std::vector<PointForce<dim>> forces = blade.forces;
+  for (auto &force : forces)
+    {
+      force.force *= state.load_factor;
+      event.blade_force += force.force * scene.blade.direction;
+    }
+  const auto balance    = check_balance(discretization,
+                                     body.model->supported,
+                                     internal,
+                                     body.model->loads,
+                                     state.forces,
+                                     forces);
+  event.force_residual  = balance.force_residual;
+  event.moment_residual = balance.moment_residual;
+  for (unsigned int d = 0; d < dim; ++d)
+    event.reaction[d] = balance.reaction[d];
+  const double tolerance = std::max(1e-8, 100 * scene.solver.tolerance);
+  if (!(balance.force_residual <= tolerance &&
+        balance.moment_residual <= tolerance))
+    {
+      std::ostringstream message;
+      message << "The forces on the body are not in balance: the relative "
+                 "residuals of force and moment are "
+              << balance.force_residual << " and " << balance.moment_residual
+              << " and must not exceed " << tolerance
+              << ". Lower Solver/Tolerance or set Solver/Method = direct.";
+      throw SolverError(message.str());
+    }
+}
+
+
+
+template <int dim>
+void
+check_energy_of_split(CutBody<dim> &body,
+                      const State<dim> &before,
+                      const State<dim> &after)
+{
+  const LA::Vector internal = internal_forces_of(body, after.displacement);
+  const double energy_after =
+    0.5 * (internal * after.displacement) - after.forces * after.displacement;
+  const double energy_before =
+    0.5 *
+      (internal_forces_of(body, before.displacement) * before.displacement) -
+    after.forces * before.displacement;
+
+  // What the constraints of the opened rows exert, along the opening that the
+  // last split has added; rows that were open before have no part in it.
+  LA::Vector wedge = internal;
+  wedge -= after.forces;
+  double work = 0;
+  for (const auto index : body.model->discretization.owned)
+    if (after.opening(index) != 0)
+      work += wedge(index) * (after.opening(index) - before.opening(index));
+  work = Utilities::MPI::sum(work, body.communicator);
+
+  const double scale =
+    std::abs(energy_before) + std::abs(energy_after) + std::abs(work);
+  if (!(energy_after <= energy_before + work + 1e-8 * scale))
+    {
+      std::ostringstream message;
+      message << "A split has raised the potential energy under the same load "
+                 "from "
+              << energy_before << " to " << energy_after
+              << ", while the blade's thickness did work of " << work
+              << " only. The solution is not to be trusted; lower "
+                 "Solver/Tolerance or set Solver/Method = direct.";
+      throw SolverError(message.str());
+    }
+}
+
+
+
+template void
+describe_state(const Scene<2> &,
+               CutBody<2> &,
+               const BladeLoad<2> &,
+               const State<2> &,
+               Event &);
+template void
+check_energy_of_split(CutBody<2> &, const State<2> &, const State<2> &);
+template void
+describe_state(const Scene<3> &,
+               CutBody<3> &,
+               const BladeLoad<3> &,
+               const State<3> &,
+               Event &);
+template void
+check_energy_of_split(CutBody<3> &, const State<3> &, const State<3> &);
+} // namespace Setsudan

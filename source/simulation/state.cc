@@ -1,0 +1,182 @@
+#include <setsudan/simulation/state.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+BladeLoad<dim>
+no_blade(const CutBody<dim> &body)
+{
+  return {body.model->discretization.zero_vector(), {}};
+}
+
+
+
+template <int dim>
+BladeLoad<dim>
+blade_on_row(const Scene<dim> &scene,
+             const CutBody<dim> &body,
+             const unsigned int row)
+{
+  const auto &pairs     = body.seam().pairs();
+  const auto &front     = body.seam().rows()[row].front;
+  const auto &direction = scene.blade.direction;
+  const BladeEdge<dim> edge(pairs[front.front()].normal, direction);
+  std::vector<double> positions;
+  for (const unsigned int pair : front)
+    positions.push_back(edge.position(pairs[pair].position));
+
+  BladeLoad<dim> blade = no_blade(body);
+  for (const auto &share : share_edge_loads(scene.blade.edge_loads, positions))
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        // The front is tied: a force on one side acts on both.
+        const auto index = pairs[front[share.node]].minus[c];
+        if (blade.nodal_forces.in_local_range(index))
+          blade.nodal_forces(index) += share.force * direction[c];
+      }
+  blade.nodal_forces.compress(VectorOperation::add);
+  for (const auto &load : scene.blade.edge_loads)
+    blade.forces.push_back(
+      {edge.point(pairs[front.front()].position, load.position),
+       load.force * direction});
+  return blade;
+}
+
+
+
+template <int dim>
+State<dim>
+rest_state(const CutBody<dim> &body)
+{
+  const LA::Vector zero = body.model->discretization.zero_vector();
+  return {zero, zero, zero};
+}
+
+
+
+template <int dim>
+State<dim>
+solve_state(const Scene<dim> &scene,
+            CutBody<dim> &body,
+            const BladeLoad<dim> &blade,
+            const double load_factor,
+            const LA::Vector &guess)
+{
+  const auto constraints = body.constraints();
+  State<dim> state       = rest_state(body);
+  state.load_factor      = load_factor;
+  state.forces           = body.model->loads;
+  state.forces.add(load_factor, blade.nodal_forces);
+  if (!body.seams.empty())
+    state.opening =
+      body.seam().opening(body.model->discretization, scene.blade.thickness);
+  state.displacement = Equilibrium<dim>(*body.model, constraints, scene.solver)
+                         .solve(state.forces, state.opening, guess);
+  return state;
+}
+
+
+
+template <int dim>
+State<dim>
+solve_ramp(const Scene<dim> &scene,
+           CutBody<dim> &body,
+           const BladeLoad<dim> &blade,
+           const unsigned int row)
+{
+  const auto &discretization = body.model->discretization;
+  const auto constraints     = body.constraints();
+  const LA::Vector zero      = discretization.zero_vector();
+  State<dim> state           = rest_state(body);
+  state.opening = body.seam().opening(discretization, scene.blade.thickness);
+
+  Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
+  const LA::Vector base =
+    equilibrium.solve(body.model->loads, state.opening, state.opening);
+  const LA::Vector per_load = equilibrium.solve(blade.nodal_forces, zero, zero);
+  const auto stresses       = [&](const LA::Vector &displacement) {
+    return front_stresses(*body.model,
+                          body.seam(),
+                          body.seam().rows()[row],
+                          discretization.with_ghosts(displacement));
+  };
+  const YieldLoad load = find_yield_load(
+    stresses(base),
+    stresses(per_load),
+    required_stress(scene.material.shear_limit, scene.blade.sharpness),
+    scene.division.max_load_factor,
+    body.communicator);
+
+  state.load_factor    = load.load_factor;
+  state.cutting_stress = load.cutting_stress;
+  state.yields         = load.yields;
+  state.displacement   = base;
+  state.displacement.add(load.load_factor, per_load);
+  state.forces = body.model->loads;
+  state.forces.add(load.load_factor, blade.nodal_forces);
+  return state;
+}
+
+
+
+template <int dim>
+void
+judge(const Scene<dim> &scene,
+      const CutBody<dim> &body,
+      const unsigned int row,
+      State<dim> &state)
+{
+  state.cutting_stress = cutting_stress(
+    front_stresses(*body.model,
+                   body.seam(),
+                   body.seam().rows()[row],
+                   body.model->discretization.with_ghosts(state.displacement)),
+    body.communicator);
+  state.yields =
+    yields(state.cutting_stress,
+           required_stress(scene.material.shear_limit, scene.blade.sharpness));
+}
+
+
+
+template BladeLoad<2>
+no_blade(const CutBody<2> &);
+template BladeLoad<2>
+blade_on_row(const Scene<2> &, const CutBody<2> &, const unsigned int);
+template State<2>
+rest_state(const CutBody<2> &);
+template State<2>
+solve_state(const Scene<2> &,
+            CutBody<2> &,
+            const BladeLoad<2> &,
+            const double,
+            const LA::Vector &);
+template State<2>
+solve_ramp(const Scene<2> &,
+           CutBody<2> &,
+           const BladeLoad<2> &,
+           const unsigned int);
+template void
+judge(const Scene<2> &, const CutBody<2> &, const unsigned int, State<2> &);
+template BladeLoad<3>
+no_blade(const CutBody<3> &);
+template BladeLoad<3>
+blade_on_row(const Scene<3> &, const CutBody<3> &, const unsigned int);
+template State<3>
+rest_state(const CutBody<3> &);
+template State<3>
+solve_state(const Scene<3> &,
+            CutBody<3> &,
+            const BladeLoad<3> &,
+            const double,
+            const LA::Vector &);
+template State<3>
+solve_ramp(const Scene<3> &,
+           CutBody<3> &,
+           const BladeLoad<3> &,
+           const unsigned int);
+template void
+judge(const Scene<3> &, const CutBody<3> &, const unsigned int, State<3> &);
+} // namespace Setsudan
