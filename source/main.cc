@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct CommandLine
 {
   std::string scene;
   std::vector<std::string> assignments;
-  std::string output;
+  std::optional<std::string> output;
   bool validate         = false;
   bool print_parameters = false;
 };
@@ -61,8 +62,9 @@ collect_entries(const CommandLine &command_line)
     entries = read_scene_file(command_line.scene);
   for (const auto &assignment : command_line.assignments)
     entries.push_back(parse_assignment(assignment));
-  if (!command_line.output.empty())
-    entries.push_back({"Output", "Directory", command_line.output, "--output"});
+  if (command_line.output)
+    entries.push_back(
+      {"Output", "Directory", *command_line.output, "--output"});
   return entries;
 }
 } // namespace
@@ -87,8 +89,7 @@ main(int argc, char **argv)
     .add_option("--set",
                 command_line.assignments,
                 "Set a parameter: 'Subsection/Name=value'; may be repeated")
-    ->expected(1)
-    ->take_all();
+    ->allow_extra_args(false);
   app.add_option("--output",
                  command_line.output,
                  "Output directory, instead of the scene's");

@@ -125,8 +125,10 @@ LoadParameters<dim>::LoadParameters(const Parameters &parameters,
                          "Nodal forces",
                          "forces on node numbers from 0 to " +
                            std::to_string(body.numbering.n_nodes() - 1));
-      nodal_forces[static_cast<unsigned int>(number[0])] =
-        to_tensor<dim>(values);
+      const auto inserted = nodal_forces.emplace(
+        static_cast<unsigned int>(number[0]), to_tensor<dim>(values));
+      parameters.require(
+        inserted.second, "Load", "Nodal forces", "forces on nodes, each once");
     }
 }
 

@@ -87,8 +87,11 @@ Hooke::stress(const SymmetricTensor<2, dim> &strain) const
 double
 maximum_shear(const SymmetricTensor<2, 3> &stress)
 {
-  const auto principal = eigenvalues(stress);
-  return (principal[0] - principal[2]) / 2;
+  // The closed form of eigenvalues() loses half of the digits where two of them
+  // are equal, as in any uniaxial stress.
+  const auto principal =
+    eigenvectors(stress, SymmetricTensorEigenvectorMethod::jacobi);
+  return (principal[0].first - principal[2].first) / 2;
 }
 
 

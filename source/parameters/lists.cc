@@ -2,7 +2,10 @@
 
 #include <setsudan/parameters/lists.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace Setsudan
 {
@@ -15,7 +18,7 @@ short_text(const double value)
   for (const int precision : {6, 15, 17})
     {
       std::snprintf(buffer, sizeof(buffer), "%.*g", precision, value);
-      if (std::stod(buffer) == value)
+      if (std::strtod(buffer, nullptr) == value)
         break;
     }
   return buffer;
@@ -65,6 +68,8 @@ parse_numbers(const std::string &text, std::vector<double> &values)
       {
         return false;
       }
-  return true;
+  return std::all_of(values.begin(), values.end(), [](const double value) {
+    return std::isfinite(value);
+  });
 }
 } // namespace Setsudan

@@ -5,6 +5,7 @@
 #include <setsudan/parameters/parameters.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 namespace Setsudan
@@ -51,15 +52,18 @@ pattern_of(const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
  * none of them is a number a scene can mean.
  */
 bool
-is_finite_or_text(const std::string &value)
+has_infinite_number(const std::string &value)
 {
-  std::vector<double> numbers;
-  if (!parse_numbers(value, numbers))
-    return true;
-  for (const double number : numbers)
-    if (!std::isfinite(number))
-      return false;
-  return true;
+  bool infinite = false;
+  for (const auto &part : split(value, ','))
+    {
+      char *end           = nullptr;
+      const double number = std::strtod(part.c_str(), &end);
+      if (*end != '\0')
+        return false; // a text, which its room reads
+      infinite = infinite || !std::isfinite(number);
+    }
+  return infinite;
 }
 } // namespace
 
@@ -90,7 +94,7 @@ Parameters::set(const SceneEntry &entry)
   try
     {
       handler.set(entry.name, entry.value);
-      if (!is_finite_or_text(entry.value))
+      if (has_infinite_number(entry.value))
         problem = "allowed is: a finite number.";
     }
   catch (const ParameterHandler::ExcEntryUndeclared &)

@@ -19,12 +19,13 @@ struct Line
 };
 
 std::vector<Line>
-read_lines(const std::string &file_name)
+read_lines(const std::string &file_name, const std::string &included_at)
 {
   // A directory opens as a stream but cannot be read.
   std::ifstream stream(file_name);
   if (!stream || std::filesystem::is_directory(file_name))
-    throw SceneError("The scene file '" + file_name + "' cannot be read.");
+    throw SceneError(included_at + "The scene file '" + file_name +
+                     "' cannot be read.");
 
   std::vector<Line> lines;
   std::string text;
@@ -65,17 +66,19 @@ split_assignment(const std::string &text, std::string &name, std::string &value)
   return !name.empty();
 }
 
+/** @param included_at begins messages about the file itself. */
 void
 read_into(const std::string &file_name,
           const unsigned int depth,
+          const std::string &included_at,
           std::vector<SceneEntry> &entries)
 {
   if (depth > 20)
-    throw SceneError("The scene file '" + file_name +
+    throw SceneError(included_at + "The scene file '" + file_name +
                      "' includes itself, directly or by others.");
   std::vector<std::string> subsections;
   unsigned int last_line = 1;
-  for (const Line &line : read_lines(file_name))
+  for (const Line &line : read_lines(file_name, included_at))
     {
       const std::string location =
         file_name + ":" + std::to_string(line.number);
@@ -103,6 +106,7 @@ read_into(const std::string &file_name,
         read_into(
           (std::filesystem::path(file_name).parent_path() / rest).string(),
           depth + 1,
+          location + ": ",
           entries);
       else
         throw SceneError(location + ": '" + line.text +
@@ -121,7 +125,7 @@ std::vector<SceneEntry>
 read_scene_file(const std::string &file_name)
 {
   std::vector<SceneEntry> entries;
-  read_into(file_name, 0, entries);
+  read_into(file_name, 0, "", entries);
   return entries;
 }
 

@@ -24,11 +24,13 @@ struct Box
   unsigned int nx, ny, nz;
 
   /** Nodes of an even and of an odd layer. */
-  unsigned int P() const
+  unsigned int
+  P() const
   {
     return (2 * nx + 1) * (ny + 1) + (nx + 1) * ny;
   }
-  unsigned int Q() const
+  unsigned int
+  Q() const
   {
     return (nx + 1) * (ny + 1);
   }

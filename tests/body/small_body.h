@@ -25,7 +25,8 @@ parameters_of(const Assignments &assignments,
 template <int dim>
 struct SmallBody
 {
-  static void declare(dealii::ParameterHandler &handler)
+  static void
+  declare(dealii::ParameterHandler &handler)
   {
     BodyParameters<dim>::declare(handler);
     SupportParameters<dim>::declare(handler);

@@ -1,6 +1,7 @@
 // What is fixed: the nodes of faces and single nodes, found from every element
 // that has them.
 
+#include <setsudan/body/nodes.h>
 #include <setsudan/body/supports.h>
 
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../test_setup.h"
@@ -108,6 +109,25 @@ test_maximum_shear()
 }
 
 
+/** A rod pulled along an axis that is none of the coordinates': two of its
+ * principal stresses are equal. */
+void
+test_oblique_pull()
+{
+  double error = 0;
+  for (double angle = 0.1; angle < 1.5; angle += 0.1)
+    {
+      Tensor<1, 3> axis;
+      axis[0]              = std::cos(angle) * std::cos(2 * angle);
+      axis[1]              = std::sin(angle) * std::cos(2 * angle);
+      axis[2]              = std::sin(2 * angle);
+      const Tensor3 stress = symmetrize(outer_product(axis, axis));
+      error = std::max(error, std::abs(maximum_shear(stress) - 0.5));
+    }
+  check_below("maximum shear of an oblique pull", error, 1e-12);
+}
+
+
 int
 main(int argc, char **argv)
 {
@@ -119,5 +139,6 @@ main(int argc, char **argv)
         test_plane_strain(5., nu);
       }
     test_maximum_shear();
+    test_oblique_pull();
   });
 }

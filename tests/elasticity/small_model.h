@@ -13,7 +13,8 @@ namespace Setsudan
 template <int dim>
 struct SmallModel : SmallBody<dim>
 {
-  static void declare(dealii::ParameterHandler &handler)
+  static void
+  declare(dealii::ParameterHandler &handler)
   {
     SmallBody<dim>::declare(handler);
     MaterialParameters::declare(handler);

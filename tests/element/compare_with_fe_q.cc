@@ -118,7 +118,8 @@ public:
   {
   }
 
-  double value(const Point<dim> &p, const unsigned int component) const override
+  double
+  value(const Point<dim> &p, const unsigned int component) const override
   {
     return 0.1 + p[component] - 0.5 * p[(component + 1) % dim];
   }

@@ -36,13 +36,15 @@ public:
         }
   }
 
-  double value(const Point<dim> &p, const unsigned int component) const override
+  double
+  value(const Point<dim> &p, const unsigned int component) const override
   {
     return slopes[component] * p + 0.5 * (p * (hessians[component] * p));
   }
 
   /** The body force $-\nabla\cdot\sigma$, which is constant. */
-  std::vector<double> body_force(const SmallMaterial &material) const
+  std::vector<double>
+  body_force(const SmallMaterial &material) const
   {
     std::vector<double> force(dim, 0.);
     for (unsigned int i = 0; i < dim; ++i)
@@ -74,7 +76,8 @@ public:
       }
   }
 
-  double value(const Point<dim> &p, const unsigned int component) const override
+  double
+  value(const Point<dim> &p, const unsigned int component) const override
   {
     return amplitude[component] * std::sin(wave_vector * p);
   }

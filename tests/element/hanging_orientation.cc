@@ -27,7 +27,8 @@ using namespace Setsudan;
 class Quadratic : public Function<3>
 {
 public:
-  double value(const Point<3> &p, const unsigned int) const override
+  double
+  value(const Point<3> &p, const unsigned int) const override
   {
     return 1. + p[0] - 2. * p[1] + 0.5 * p[2] + p[0] * p[1] - p[1] * p[2] +
            p[1] * p[1] + 3. * p[2] * p[2] - p[0] * p[0];

@@ -67,7 +67,8 @@ public:
   {
   }
 
-  double value(const Point<3> &p, const unsigned int component) const override
+  double
+  value(const Point<3> &p, const unsigned int component) const override
   {
     return 1e-3 * (p[0] + p[1] + p[2] + p[component]) / 2.;
   }

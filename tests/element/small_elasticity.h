@@ -56,11 +56,12 @@ public:
 
   /** Prescribe the displacement where the boundary has id 0, except at nodes
    * that are constrained already, and solve. */
-  void solve(const Function<dim> &displacement,
-             const Function<dim> &body_force);
+  void
+  solve(const Function<dim> &displacement, const Function<dim> &body_force);
 
   /** The largest difference of a node's displacement from @p exact. */
-  double nodal_error(const Function<dim> &exact) const;
+  double
+  nodal_error(const Function<dim> &exact) const;
 
   const FESystem<dim> fe;
   const SmallMaterial material;
@@ -71,19 +72,23 @@ public:
   VectorType solution;
 
 private:
-  void setup_matrix();
+  void
+  setup_matrix();
 
-  void assemble(const Function<dim> &body_force);
+  void
+  assemble(const Function<dim> &body_force);
 
   /** The stiffness of the cell to which @p scalar_values, the functions of one
    * component, belong. */
-  void cell_matrix(const FEValues<dim> &scalar_values,
-                   FullMatrix<double> &stiffness) const;
+  void
+  cell_matrix(const FEValues<dim> &scalar_values,
+              FullMatrix<double> &stiffness) const;
 
   /** The nodal forces of @p body_force on that cell. */
-  void cell_force(const FEValues<dim> &scalar_values,
-                  const Function<dim> &body_force,
-                  Vector<double> &force) const;
+  void
+  cell_force(const FEValues<dim> &scalar_values,
+             const Function<dim> &body_force,
+             Vector<double> &force) const;
 
   TrilinosWrappers::SparseMatrix matrix;
   VectorType rhs;

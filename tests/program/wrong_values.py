@@ -50,6 +50,8 @@ WRONG_VALUES = {
         (E, "nan", PATTERN),
         (E, "inf", PATTERN),
         (E, "1e400", PATTERN),
+        # Smaller than the smallest number of full precision.
+        (E, "1e-320", PATTERN),
         (E, "", PATTERN),
         (E, "5.0 kPa", PATTERN),
         ("Material/Shear limit", "0", "greater than 0"),

@@ -23,7 +23,8 @@ split(const std::string &text, const char delimiter);
 std::vector<std::pair<std::string, std::string>>
 split_items(const std::string &text, const char delimiter);
 
-/** The numbers of a comma-separated list; false where one is not a number. */
+/** The numbers of a comma-separated list; false where one is not a finite
+ * number. */
 bool
 parse_numbers(const std::string &text, std::vector<double> &values);
 } // namespace Setsudan

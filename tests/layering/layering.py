@@ -1,0 +1,117 @@
+"""The rooms of the house are in an order, and a file may include only files of
+its own room and of rooms before it; no file includes itself, by whatever way.
+
+usage: layering.py DIRECTORY   (with include/setsudan and source in it)
+"""
+
+import pathlib
+import re
+import sys
+
+ROOMS = [
+    "parameters",
+    "body",
+    "element",
+    "elasticity",
+    "solver",
+    "cut",
+    "output",
+    "simulation",
+]
+
+# What source/main.cc may include, which belongs to no room.
+ROOMS_OF_MAIN = ["parameters", "simulation"]
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def source_files(root):
+    """Name below root and text of all files: headers, then sources."""
+    for folder in ("include/setsudan", "source"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.is_file():
+                yield str(path.relative_to(root)), path.read_text()
+
+
+def room_of(name):
+    """The room of a file, or None for main.cc and for strangers."""
+    parts = name[len("include/") :].split("/") if name.startswith("include") else None
+    parts = parts or name.split("/")
+    return parts[1] if len(parts) == 3 and parts[1] in ROOMS else None
+
+
+def allowed_rooms(name):
+    if name == "source/main.cc":
+        return ROOMS_OF_MAIN
+    room = room_of(name)
+    return ROOMS[: ROOMS.index(room) + 1] if room else []
+
+
+def included_headers(name, text, problems):
+    """The names of our own headers that a file includes."""
+    headers = []
+    for bracket, target in INCLUDE.findall(text):
+        if bracket == '"':
+            problems.append(f'{name} includes "{target}": write <setsudan/room/file.h>')
+        elif target.startswith("setsudan/"):
+            headers.append("include/" + target)
+    return headers
+
+
+def check_file(name, headers, known, problems):
+    if not room_of(name) and name != "source/main.cc":
+        problems.append(f"{name} is in no room; rooms are {', '.join(ROOMS)}")
+    for header in headers:
+        if header not in known:
+            problems.append(f"{name} includes {header}, which does not exist")
+        elif room_of(header) not in allowed_rooms(name):
+            problems.append(f"{name} includes {header}, of a room it must not know")
+
+
+def find_cycle(graph):
+    """A list of files each of which includes the next, and the last the first."""
+    finished = set()
+
+    def visit(name, path):
+        if name in path:
+            return path[path.index(name) :]
+        if name in finished:
+            return None
+        for header in graph.get(name, []):
+            cycle = visit(header, path + [name])
+            if cycle:
+                return cycle
+        finished.add(name)
+        return None
+
+    for name in graph:
+        cycle = visit(name, [])
+        if cycle:
+            return cycle
+    return None
+
+
+def find_problems(root):
+    """Everything that is wrong with the files below a directory."""
+    problems = []
+    graph = {
+        name: included_headers(name, text, problems)
+        for name, text in source_files(root)
+    }
+    for name, headers in graph.items():
+        check_file(name, headers, graph, problems)
+    cycle = find_cycle(graph)
+    if cycle:
+        problems.append("files include each other: " + " -> ".join(cycle))
+    for room in ROOMS:
+        if not any(room_of(name) == room for name in graph):
+            problems.append(f"room {room} is empty")
+    return problems
+
+
+if __name__ == "__main__":
+    PROBLEMS = find_problems(pathlib.Path(sys.argv[1]))
+    for problem in PROBLEMS:
+        print(problem)
+    print(f"{len(PROBLEMS)} problems")
+    sys.exit(1 if PROBLEMS else 0)
