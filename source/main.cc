@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 using namespace Setsudan;
 
 namespace
@@ -128,6 +130,9 @@ main(int argc, char **argv)
     }
   catch (const std::exception &error)
     {
+      // What fails on all processes is said by the first.
+      if (!speaks)
+        sleep(1);
       std::cerr << "setsudan: " << error.what() << std::endl;
       // Others may be waiting for a process that has failed alone.
       if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)

@@ -1,6 +1,7 @@
 #include <setsudan/cut/blade.h>
 #include <setsudan/parameters/lists.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Setsudan
@@ -60,8 +61,13 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
   const auto components = parameters.numbers("Blade", "Direction", dim);
   for (unsigned int d = 0; d < dim; ++d)
     direction[d] = components[d];
+  double largest = 0;
+  for (unsigned int d = 0; d < dim; ++d)
+    largest = std::max(largest, std::abs(direction[d]));
   parameters.require(
-    direction.norm() > 0, "Blade", "Direction", "a vector that is not zero");
+    largest > 0, "Blade", "Direction", "a vector that is not zero");
+  // First by the largest component, whose square may be too large or small.
+  direction /= largest;
   direction /= direction.norm();
 
   for (const auto &[position, force] :

@@ -99,9 +99,9 @@ OutputDirectory::OutputDirectory(const std::string &path,
     problem = prepare_directory(path);
   problem = Utilities::MPI::broadcast(communicator, problem);
   if (!problem.empty())
-    throw SceneError("The output directory '" + path +
+    throw SceneError("the output directory '" + path +
                      "' cannot be written: " + problem +
-                     ". Choose another with Output/Directory or --output.");
+                     "; choose another with Output/Directory or --output");
 }
 
 

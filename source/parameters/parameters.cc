@@ -28,42 +28,42 @@ full_name(const std::string &subsection, const std::string &name)
          name + "'";
 }
 
-/** What the pattern allows, on one line, out of deal.II's message "The string
+/** What a pattern allows, in words, out of deal.II's message "The string
  * <value> does not match the given pattern <description>." */
 std::string
 pattern_of(const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
 {
   std::ostringstream message;
   exception.print_info(message);
-  std::string text         = message.str();
-  const std::string before = "given pattern";
-  const auto begin         = text.find('<', text.find(before));
-  const auto end           = text.rfind('>');
-  if (begin != std::string::npos && end > begin)
-    text = text.substr(begin + 1, end - begin - 1);
-  for (char &c : text)
+  const std::string text = message.str();
+  const auto begin       = text.find('<', text.find("given pattern")) + 1;
+  const auto pattern =
+    Patterns::pattern_factory(text.substr(begin, text.rfind('>') - begin));
+  std::string words = pattern->description(Patterns::PatternBase::Text);
+  for (char &c : words)
     if (c == '\n')
       c = ' ';
-  return Utilities::trim(text) + ".";
+  return Utilities::trim(words) + ".";
 }
 
 /**
- * Patterns::Double also takes "nan" and "inf", and reads "1e400" as infinity;
- * none of them is a number a scene can mean.
+ * Whether a value is a list of numbers of which one is no number that a scene
+ * can mean. Patterns::Double also takes "nan" and "inf", reads "1e400" as
+ * infinity, and numbers like "1e-320" have lost their digits.
  */
 bool
-has_infinite_number(const std::string &value)
+has_extreme_number(const std::string &value)
 {
-  bool infinite = false;
+  bool extreme = false;
   for (const auto &part : split(value, ','))
     {
       char *end           = nullptr;
       const double number = std::strtod(part.c_str(), &end);
       if (*end != '\0')
         return false; // a text, which its room reads
-      infinite = infinite || !std::isfinite(number);
+      extreme = extreme || !(number == 0 || std::isnormal(number));
     }
-  return infinite;
+  return extreme;
 }
 } // namespace
 
@@ -94,8 +94,9 @@ Parameters::set(const SceneEntry &entry)
   try
     {
       handler.set(entry.name, entry.value);
-      if (has_infinite_number(entry.value))
-        problem = "allowed is: a finite number.";
+      if (has_extreme_number(entry.value))
+        problem = "allowed is: a finite number, 0 or of a magnitude from "
+                  "1e-307 to 1e308.";
     }
   catch (const ParameterHandler::ExcEntryUndeclared &)
     {

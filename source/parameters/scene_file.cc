@@ -71,13 +71,14 @@ void
 read_into(const std::string &file_name,
           const unsigned int depth,
           const std::string &included_at,
+          const std::vector<std::string> &outer_subsections,
           std::vector<SceneEntry> &entries)
 {
   if (depth > 20)
     throw SceneError(included_at + "The scene file '" + file_name +
                      "' includes itself, directly or by others.");
-  std::vector<std::string> subsections;
-  unsigned int last_line = 1;
+  std::vector<std::string> subsections = outer_subsections;
+  unsigned int last_line               = 1;
   for (const Line &line : read_lines(file_name, included_at))
     {
       const std::string location =
@@ -93,7 +94,8 @@ read_into(const std::string &file_name,
         continue;
       else if (keyword == "subsection" && !rest.empty())
         subsections.push_back(rest);
-      else if (keyword == "end" && rest.empty() && !subsections.empty())
+      else if (keyword == "end" && rest.empty() &&
+               subsections.size() > outer_subsections.size())
         subsections.pop_back();
       else if (keyword == "set" &&
                split_assignment(rest, entry.name, entry.value))
@@ -107,6 +109,7 @@ read_into(const std::string &file_name,
           (std::filesystem::path(file_name).parent_path() / rest).string(),
           depth + 1,
           location + ": ",
+          subsections,
           entries);
       else
         throw SceneError(location + ": '" + line.text +
@@ -114,7 +117,7 @@ read_into(const std::string &file_name,
                          "'set NAME = VALUE', 'end', 'include FILE' and "
                          "comments after '#'.");
     }
-  if (!subsections.empty())
+  if (subsections.size() > outer_subsections.size())
     throw SceneError(file_name + ":" + std::to_string(last_line) +
                      ": subsection '" + join(subsections) + "' has no 'end'.");
 }
@@ -125,7 +128,7 @@ std::vector<SceneEntry>
 read_scene_file(const std::string &file_name)
 {
   std::vector<SceneEntry> entries;
-  read_into(file_name, 0, "", entries);
+  read_into(file_name, 0, "", {}, entries);
   return entries;
 }
 

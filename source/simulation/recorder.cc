@@ -12,13 +12,36 @@ namespace Setsudan
 {
 using namespace dealii;
 
+namespace
+{
+OutputDirectory
+open_directory(const Parameters &parameters,
+               const std::string &path,
+               const MPI_Comm communicator)
+{
+  try
+    {
+      return OutputDirectory(path, communicator);
+    }
+  catch (const SceneError &error)
+    {
+      parameters.reject("Output",
+                        "Directory",
+                        std::string("a directory that can be written: ") +
+                          error.what());
+    }
+}
+} // namespace
+
+
+
 template <int dim>
 Recorder<dim>::Recorder(const Scene<dim> &scene,
                         const Parameters &parameters,
                         const MPI_Comm communicator)
   : progress(communicator)
   , scene(scene)
-  , directory(scene.output.directory, communicator)
+  , directory(open_directory(parameters, scene.output.directory, communicator))
   , is_first_process(Utilities::MPI::this_mpi_process(communicator) == 0)
   , frames(directory)
 {

@@ -82,7 +82,7 @@ check_supports(const Parameters &parameters,
                                                   : "Fixed faces",
     "faces and nodes that hold the body; with these it is free to move "
     "rigidly in " +
-      std::to_string(hold.size()) + " ways");
+      std::to_string(hold.size()) + (hold.size() == 1 ? " way" : " ways"));
 }
 } // namespace
 
