@@ -63,8 +63,8 @@ test_line_ends()
 }
 
 
-/** An included file is found from the file that includes it, and may stand
- * within a subsection only in the sense that its own are complete. */
+/** An included file is found from the file that includes it; within a
+ * subsection its entries belong to that one, and it cannot end it. */
 void
 test_include()
 {
@@ -77,6 +77,13 @@ test_include()
              "subsection P\n  set Q = 3\nend\ninclude deeper/last.prm\n");
   write_file("parts/deeper/last.prm", "\n\nset Before = 4\n");
   print_entries("including.prm");
+
+  write_file("within.prm",
+             "subsection P\n  include parts/deeper/last.prm\nend\n");
+  print_entries("within.prm");
+  write_file("parts/ends.prm", "end\n");
+  write_file("ended.prm", "subsection P\ninclude parts/ends.prm\n");
+  print_refusal([] { read_scene_file("ended.prm"); });
 }
 
 
