@@ -65,7 +65,7 @@ WRONG_VALUES = {
         ("Support/Fixed faces", "Bottom", "left, right, front, back"),
         ("Support/Fixed faces", "", "in 6 ways"),
         ("Support/Fixed nodes", "0", "in 3 ways", NO_FACES),
-        ("Support/Fixed nodes", "0, 2", "in 1 ways", NO_FACES),
+        ("Support/Fixed nodes", "0, 2", "in 1 way.", NO_FACES),
         ("Support/Fixed nodes", "32", NODES),
         ("Support/Fixed nodes", "-1", PATTERN),
         ("Support/Fixed nodes", "1.5", PATTERN),
@@ -75,7 +75,7 @@ WRONG_VALUES = {
     ("support", 2): [
         ("Support/Fixed faces", "front", "left, right, bottom, top"),
         ("Support/Fixed faces", "", "in 3 ways"),
-        ("Support/Fixed nodes", "0", "in 1 ways", NO_FACES),
+        ("Support/Fixed nodes", "0", "in 1 way.", NO_FACES),
         ("Support/Fixed nodes", "13", "node numbers from 0 to 12"),
     ],
     ("load", 3): [
