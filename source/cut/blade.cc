@@ -86,18 +86,6 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
 
 
 
-template <int dim>
-double
-BladeParameters<dim>::total_force() const
-{
-  double sum = 0;
-  for (const auto &load : edge_loads)
-    sum += load.force;
-  return sum;
-}
-
-
-
 template struct BladeParameters<2>;
 template struct BladeParameters<3>;
 } // namespace Setsudan

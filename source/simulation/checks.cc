@@ -12,36 +12,21 @@ namespace Setsudan
 {
 using namespace dealii;
 
-namespace
-{
-template <int dim>
-LA::Vector
-internal_forces_of(CutBody<dim> &body, const LA::Vector &displacement)
-{
-  return internal_forces(body.model->discretization,
-                         body.model->stiffness,
-                         body.model->discretization.with_ghosts(displacement));
-}
-} // namespace
-
-
 template <int dim>
 void
 describe_state(const Scene<dim> &scene,
-               CutBody<dim> &body,
+               const CutBody<dim> &body,
                const BladeLoad<dim> &blade,
                const State<dim> &state,
                Event &event)
 {
   const auto &discretization = body.model->discretization;
-  const LA::Vector internal  = internal_forces_of(body, state.displacement);
 
-  event.load_factor    = state.load_factor;
-  event.blade_force    = 0;
-  event.cutting_stress = state.cutting_stress;
-  event.required_stress =
-    required_stress(scene.material.shear_limit, scene.blade.sharpness);
-  event.strain_energy = 0.5 * (state.displacement * internal);
+  event.load_factor     = state.load_factor;
+  event.blade_force     = 0;
+  event.cutting_stress  = state.cutting_stress;
+  event.required_stress = scene.required_stress();
+  event.strain_energy   = 0.5 * (state.displacement * state.internal);
   event.potential_energy =
     event.strain_energy - state.forces * state.displacement;
   event.pieces = body.n_pieces();
@@ -63,7 +48,7 @@ describe_state(const Scene<dim> &scene,
     }
   const auto balance    = check_balance(discretization,
                                      body.model->supported,
-                                     internal,
+                                     state.internal,
                                      body.model->loads,
                                      state.forces,
                                      forces);
@@ -89,21 +74,20 @@ describe_state(const Scene<dim> &scene,
 
 template <int dim>
 void
-check_energy_of_split(CutBody<dim> &body,
+check_energy_of_split(const CutBody<dim> &body,
                       const State<dim> &before,
                       const State<dim> &after)
 {
-  const LA::Vector internal = internal_forces_of(body, after.displacement);
-  const double energy_after =
-    0.5 * (internal * after.displacement) - after.forces * after.displacement;
-  const double energy_before =
-    0.5 *
-      (internal_forces_of(body, before.displacement) * before.displacement) -
-    after.forces * before.displacement;
+  const auto energy = [&](const State<dim> &state) {
+    return 0.5 * (state.internal * state.displacement) -
+           after.forces * state.displacement;
+  };
+  const double energy_after  = energy(after);
+  const double energy_before = energy(before);
 
   // What the constraints of the opened rows exert, along the opening that the
   // last split has added; rows that were open before have no part in it.
-  LA::Vector wedge = internal;
+  LA::Vector wedge = after.internal;
   wedge -= after.forces;
   double work = 0;
   for (const auto index : body.model->discretization.owned)
@@ -130,18 +114,18 @@ check_energy_of_split(CutBody<dim> &body,
 
 template void
 describe_state(const Scene<2> &,
-               CutBody<2> &,
+               const CutBody<2> &,
                const BladeLoad<2> &,
                const State<2> &,
                Event &);
 template void
-check_energy_of_split(CutBody<2> &, const State<2> &, const State<2> &);
+check_energy_of_split(const CutBody<2> &, const State<2> &, const State<2> &);
 template void
 describe_state(const Scene<3> &,
-               CutBody<3> &,
+               const CutBody<3> &,
                const BladeLoad<3> &,
                const State<3> &,
                Event &);
 template void
-check_energy_of_split(CutBody<3> &, const State<3> &, const State<3> &);
+check_energy_of_split(const CutBody<3> &, const State<3> &, const State<3> &);
 } // namespace Setsudan

@@ -139,18 +139,6 @@ CutBody<dim>::constraints() const
 
 
 template <int dim>
-double
-CutBody<dim>::volume() const
-{
-  double volume = 0;
-  for (unsigned int element = 0; element < mesh.cells.size(); ++element)
-    volume += mesh.cell_volume(element);
-  return volume;
-}
-
-
-
-template <int dim>
 unsigned int
 CutBody<dim>::n_pieces() const
 {

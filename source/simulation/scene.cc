@@ -110,6 +110,15 @@ Scene<dim>::Scene(const Parameters &parameters)
 
 
 
+template <int dim>
+double
+Scene<dim>::required_stress() const
+{
+  return Setsudan::required_stress(material.shear_limit, blade.sharpness);
+}
+
+
+
 template struct Scene<2>;
 template struct Scene<3>;
 } // namespace Setsudan

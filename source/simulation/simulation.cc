@@ -83,9 +83,8 @@ Simulation<dim>::rest()
          << "Solver/Direct up to = " << scene.solver.direct_up_to;
   recorder.progress.say(line.str() + ".");
 
-  state = rest_state(body);
-  event.required_stress =
-    required_stress(scene.material.shear_limit, scene.blade.sharpness);
+  state                 = rest_state(body);
+  event.required_stress = scene.required_stress();
   recorder.record("rest", event);
   recorder.write_state(body, state, 0, true);
 }
@@ -129,12 +128,10 @@ template <int dim>
 void
 Simulation<dim>::deform(const unsigned int row)
 {
-  using Check          = YieldParameters::Check;
-  using LoadControl    = DivisionParameters::LoadControl;
-  const bool ramp      = scene.division.load_control == LoadControl::ramp;
-  const bool is_judged = row == 0 || scene.yield.check == Check::every_row;
-  const auto blade     = blade_on_row(scene, body, row);
-  if (ramp && is_judged)
+  using LoadControl = DivisionParameters::LoadControl;
+  const bool ramp   = scene.division.load_control == LoadControl::ramp;
+  const auto blade  = blade_on_row(scene, body, row);
+  if (ramp && is_judged(row))
     accept(solve_ramp(scene, body, blade, row), blade);
   else
     {
@@ -143,7 +140,7 @@ Simulation<dim>::deform(const unsigned int row)
       State<dim> new_state =
         solve_state(scene, body, blade, load_factor, state.displacement);
       judge(scene, body, row, new_state);
-      new_state.yields = new_state.yields || !is_judged;
+      new_state.yields = new_state.yields || !is_judged(row);
       accept(std::move(new_state), blade);
     }
 
@@ -164,10 +161,18 @@ Simulation<dim>::deform(const unsigned int row)
 
 template <int dim>
 bool
+Simulation<dim>::is_judged(const unsigned int row) const
+{
+  return row == 0 || scene.yield.check == YieldParameters::Check::every_row;
+}
+
+
+
+template <int dim>
+bool
 Simulation<dim>::row_yields(const unsigned int row)
 {
-  if (state.yields &&
-      (row == 0 || scene.yield.check == YieldParameters::Check::every_row))
+  if (state.yields && is_judged(row))
     recorder.record("yield", event);
   return state.yields;
 }
@@ -200,7 +205,8 @@ Simulation<dim>::open()
   body.open();
   state.displacement =
     transfer(uncut->discretization, displacement, body.model->discretization);
-  state.opening = body.model->discretization.zero_vector();
+  state.opening  = body.model->discretization.zero_vector();
+  state.internal = internal_forces_of(body, state.displacement);
 
   // A fully tied seam is the uncut body.
   const State<dim> tied = solve_state(scene,

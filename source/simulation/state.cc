@@ -47,12 +47,53 @@ blade_on_row(const Scene<dim> &scene,
 
 
 template <int dim>
+LA::Vector
+internal_forces_of(CutBody<dim> &body, const LA::Vector &displacement)
+{
+  return internal_forces(body.model->discretization,
+                         body.model->stiffness,
+                         body.model->discretization.with_ghosts(displacement));
+}
+
+
+
+template <int dim>
 State<dim>
 rest_state(const CutBody<dim> &body)
 {
   const LA::Vector zero = body.model->discretization.zero_vector();
-  return {zero, zero, zero};
+  return {zero, zero, zero, zero};
 }
+
+
+
+namespace
+{
+/** The state in so far as it is known before it is solved. */
+template <int dim>
+State<dim>
+unloaded_state(const Scene<dim> &scene, const CutBody<dim> &body)
+{
+  State<dim> state = rest_state(body);
+  state.forces     = body.model->loads;
+  if (!body.seams.empty())
+    state.opening =
+      body.seam().opening(body.model->discretization, scene.blade.thickness);
+  return state;
+}
+
+template <int dim>
+FrontStresses
+front_stresses_of(const CutBody<dim> &body,
+                  const unsigned int row,
+                  const LA::Vector &displacement)
+{
+  return front_stresses(*body.model,
+                        body.seam(),
+                        body.seam().rows()[row],
+                        body.model->discretization.with_ghosts(displacement));
+}
+} // namespace
 
 
 
@@ -65,15 +106,12 @@ solve_state(const Scene<dim> &scene,
             const LA::Vector &guess)
 {
   const auto constraints = body.constraints();
-  State<dim> state       = rest_state(body);
+  State<dim> state       = unloaded_state(scene, body);
   state.load_factor      = load_factor;
-  state.forces           = body.model->loads;
   state.forces.add(load_factor, blade.nodal_forces);
-  if (!body.seams.empty())
-    state.opening =
-      body.seam().opening(body.model->discretization, scene.blade.thickness);
   state.displacement = Equilibrium<dim>(*body.model, constraints, scene.solver)
                          .solve(state.forces, state.opening, guess);
+  state.internal = internal_forces_of(body, state.displacement);
   return state;
 }
 
@@ -86,36 +124,27 @@ solve_ramp(const Scene<dim> &scene,
            const BladeLoad<dim> &blade,
            const unsigned int row)
 {
-  const auto &discretization = body.model->discretization;
-  const auto constraints     = body.constraints();
-  const LA::Vector zero      = discretization.zero_vector();
-  State<dim> state           = rest_state(body);
-  state.opening = body.seam().opening(discretization, scene.blade.thickness);
+  const auto constraints = body.constraints();
+  const LA::Vector zero  = body.model->discretization.zero_vector();
+  State<dim> state       = unloaded_state(scene, body);
 
   Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
   const LA::Vector base =
-    equilibrium.solve(body.model->loads, state.opening, state.opening);
+    equilibrium.solve(state.forces, state.opening, state.opening);
   const LA::Vector per_load = equilibrium.solve(blade.nodal_forces, zero, zero);
-  const auto stresses       = [&](const LA::Vector &displacement) {
-    return front_stresses(*body.model,
-                          body.seam(),
-                          body.seam().rows()[row],
-                          discretization.with_ghosts(displacement));
-  };
-  const YieldLoad load = find_yield_load(
-    stresses(base),
-    stresses(per_load),
-    required_stress(scene.material.shear_limit, scene.blade.sharpness),
-    scene.division.max_load_factor,
-    body.communicator);
+  const YieldLoad load = find_yield_load(front_stresses_of(body, row, base),
+                                         front_stresses_of(body, row, per_load),
+                                         scene.required_stress(),
+                                         scene.division.max_load_factor,
+                                         body.communicator);
 
   state.load_factor    = load.load_factor;
   state.cutting_stress = load.cutting_stress;
   state.yields         = load.yields;
-  state.displacement   = base;
-  state.displacement.add(load.load_factor, per_load);
-  state.forces = body.model->loads;
   state.forces.add(load.load_factor, blade.nodal_forces);
+  state.displacement = base;
+  state.displacement.add(load.load_factor, per_load);
+  state.internal = internal_forces_of(body, state.displacement);
   return state;
 }
 
@@ -129,14 +158,8 @@ judge(const Scene<dim> &scene,
       State<dim> &state)
 {
   state.cutting_stress = cutting_stress(
-    front_stresses(*body.model,
-                   body.seam(),
-                   body.seam().rows()[row],
-                   body.model->discretization.with_ghosts(state.displacement)),
-    body.communicator);
-  state.yields =
-    yields(state.cutting_stress,
-           required_stress(scene.material.shear_limit, scene.blade.sharpness));
+    front_stresses_of(body, row, state.displacement), body.communicator);
+  state.yields = yields(state.cutting_stress, scene.required_stress());
 }
 
 
@@ -145,6 +168,8 @@ template BladeLoad<2>
 no_blade(const CutBody<2> &);
 template BladeLoad<2>
 blade_on_row(const Scene<2> &, const CutBody<2> &, const unsigned int);
+template LA::Vector
+internal_forces_of(CutBody<2> &, const LA::Vector &);
 template State<2>
 rest_state(const CutBody<2> &);
 template State<2>
@@ -164,6 +189,8 @@ template BladeLoad<3>
 no_blade(const CutBody<3> &);
 template BladeLoad<3>
 blade_on_row(const Scene<3> &, const CutBody<3> &, const unsigned int);
+template LA::Vector
+internal_forces_of(CutBody<3> &, const LA::Vector &);
 template State<3>
 rest_state(const CutBody<3> &);
 template State<3>

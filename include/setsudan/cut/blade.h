@@ -29,9 +29,5 @@ struct BladeParameters
   declare(dealii::ParameterHandler &handler);
 
   explicit BladeParameters(const Parameters &parameters);
-
-  /** Sum of the edge loads: the force along the direction. */
-  double
-  total_force() const;
 };
 } // namespace Setsudan

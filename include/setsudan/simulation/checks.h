@@ -13,7 +13,7 @@ namespace Setsudan
 template <int dim>
 void
 describe_state(const Scene<dim> &scene,
-               CutBody<dim> &body,
+               const CutBody<dim> &body,
                const BladeLoad<dim> &blade,
                const State<dim> &state,
                Event &event);
@@ -29,7 +29,7 @@ describe_state(const Scene<dim> &scene,
  */
 template <int dim>
 void
-check_energy_of_split(CutBody<dim> &body,
+check_energy_of_split(const CutBody<dim> &body,
                       const State<dim> &before,
                       const State<dim> &after);
 } // namespace Setsudan

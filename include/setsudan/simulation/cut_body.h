@@ -50,10 +50,6 @@ public:
   dealii::AffineConstraints<double>
   constraints() const;
 
-  /** Volume of all elements (area in 2D). */
-  double
-  volume() const;
-
   unsigned int
   n_pieces() const;
 

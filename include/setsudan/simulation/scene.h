@@ -33,6 +33,10 @@ struct Scene
   /** @throw SceneError for what is not possible. */
   explicit Scene(const Parameters &parameters);
 
+  /** The cutting stress at which a row yields: equation 18 of the paper. */
+  double
+  required_stress() const;
+
   const std::string length_unit;
   const std::string force_unit;
   const Body<dim> body;

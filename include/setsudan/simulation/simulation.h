@@ -40,6 +40,10 @@ private:
   void
   deform(const unsigned int row);
 
+  /** Whether the division waits for this row to yield. */
+  bool
+  is_judged(const unsigned int row) const;
+
   bool
   row_yields(const unsigned int row);
 

@@ -39,11 +39,18 @@ struct State
   LA::Vector opening;
   /** All nodal forces. */
   LA::Vector forces;
+  /** K u, with which the elements resist (see internal_forces()). */
+  LA::Vector internal;
   double load_factor    = 0;
   double cutting_stress = 0;
   /** Whether the front row yields; set where it is asked for. */
   bool yields = false;
 };
+
+/** K u of a displacement without ghosts. */
+template <int dim>
+LA::Vector
+internal_forces_of(CutBody<dim> &body, const LA::Vector &displacement);
 
 /** The undeformed body, on the present mesh. */
 template <int dim>
