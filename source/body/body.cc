@@ -3,93 +3,30 @@
 
 #include <setsudan/body/body.h>
 
-#include <limits>
+#include <algorithm>
 
 namespace Setsudan
 {
 using namespace dealii;
 
-template <int dim>
-void
-BodyParameters<dim>::declare(ParameterHandler &handler)
-{
-  Setsudan::declare(handler,
-                    "Body",
-                    "Shape",
-                    "box",
-                    Patterns::Selection("box"),
-                    "The shape of the body: a box from the origin to Size.");
-  Setsudan::declare(
-    handler,
-    "Body",
-    "Size",
-    dim == 3 ? "10, 10, 10" : "10, 10",
-    Patterns::List(Patterns::Double(), dim, dim),
-    "Edge lengths of the box along the axes, greater than 0 [length].");
-  Setsudan::declare(handler,
-                    "Body",
-                    "Elements",
-                    dim == 3 ? "1, 2, 1" : "2, 1",
-                    Patterns::List(Patterns::Integer(1), dim, dim),
-                    "Number of elements along each axis: the paper's nx, ny "
-                    "and nz, each at least 1.");
-}
-
-
-
-template <int dim>
-BodyParameters<dim>::BodyParameters(const Parameters &parameters)
-{
-  const auto lengths = parameters.numbers("Body", "Size", dim);
-  const auto counts  = parameters.numbers("Body", "Elements", dim);
-  double n_cells     = 1;
-  for (unsigned int d = 0; d < dim; ++d)
-    {
-      parameters.require(
-        lengths[d] > 0, "Body", "Size", "lengths greater than 0");
-      size[d]       = lengths[d];
-      n_elements[d] = static_cast<unsigned int>(counts[d]);
-      n_cells *= counts[d];
-    }
-  // Node numbers are 32 bits wide, and there are fewer than 5 nodes a cell.
-  parameters.require(n_cells < std::numeric_limits<unsigned int>::max() / 8.,
-                     "Body",
-                     "Elements",
-                     "fewer than 500 million elements in all");
-}
-
-
-
-template <int dim>
-Body<dim>::Body(const BodyParameters<dim> &parameters)
-  : numbering(parameters.n_elements)
-{
-  Triangulation<dim> box;
-  GridGenerator::subdivided_hyper_rectangle(
-    box,
-    std::vector<unsigned int>(parameters.n_elements.begin(),
-                              parameters.n_elements.end()),
-    Point<dim>(),
-    parameters.size,
-    true);
-  SubCellData boundary_description;
-  std::tie(mesh.vertices, mesh.cells, boundary_description) =
-    GridTools::get_coarse_mesh_description(box);
-  for (const auto &cell : box.active_cell_iterators())
-    for (const unsigned int face : cell->face_indices())
-      if (cell->face(face)->at_boundary())
-        mesh.boundary_ids[{cell->index(), face}] =
-          cell->face(face)->boundary_id();
-}
-
-
-
 namespace
 {
-// In the order of deal.II's boundary ids for a box.
+template <int dim>
+std::vector<unsigned int>
+sorted_numbers(const Body<dim> &body)
+{
+  std::vector<unsigned int> numbers;
+  for (const auto &of_element : body.node_numbers)
+    numbers.insert(numbers.end(), of_element.begin(), of_element.end());
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/** In the order of deal.II's faces of a cell. */
 template <int dim>
 std::vector<std::string>
-list_of_faces()
+names_of_faces()
 {
   if (dim == 2)
     return {"left", "right", "bottom", "top"};
@@ -99,40 +36,67 @@ list_of_faces()
 
 
 template <int dim>
-bool
-find_face(const std::string &name, types::boundary_id &id)
+unsigned int
+Body<dim>::n_nodes() const
 {
-  const auto names = list_of_faces<dim>();
-  for (id = 0; id < names.size(); ++id)
-    if (names[id] == name)
-      return true;
-  return false;
+  return sorted_numbers(*this).size();
 }
 
 
 
 template <int dim>
-std::string
-face_names()
+bool
+Body<dim>::has_node(const unsigned int number) const
 {
-  std::string text;
-  for (const auto &name : list_of_faces<dim>())
-    text += (text.empty() ? "" : ", ") + name;
-  return text;
+  return std::any_of(
+    node_numbers.begin(), node_numbers.end(), [&](const auto &of_element) {
+      return std::find(of_element.begin(), of_element.end(), number) !=
+             of_element.end();
+    });
 }
 
 
 
-template struct BodyParameters<2>;
-template struct BodyParameters<3>;
+template <int dim>
+Body<dim>
+make_box(const Point<dim> &size,
+         const typename BoxNumbering<dim>::Indices &n_elements)
+{
+  Body<dim> body;
+  body.box.emplace(n_elements);
+
+  Triangulation<dim> triangulation;
+  GridGenerator::subdivided_hyper_rectangle(
+    triangulation,
+    std::vector<unsigned int>(n_elements.begin(), n_elements.end()),
+    Point<dim>(),
+    size);
+  SubCellData boundary;
+  std::tie(body.mesh.vertices, body.mesh.cells, boundary) =
+    GridTools::get_coarse_mesh_description(triangulation);
+
+  body.node_numbers.resize(body.mesh.cells.size());
+  for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
+    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+      body.node_numbers[cell][node] = body.box->node_number(cell, node);
+
+  const auto names = names_of_faces<dim>();
+  for (unsigned int face = 0; face < names.size(); ++face)
+    body.groups.push_back({names[face], int(face) + 1, dim - 1, {}, {}});
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int face : cell->face_indices())
+      if (cell->face(face)->at_boundary())
+        body.groups[face].entities.push_back(
+          body.mesh.face_key({cell->index(), face}));
+  return body;
+}
+
+
+
 template struct Body<2>;
 template struct Body<3>;
-template bool
-find_face<2>(const std::string &, types::boundary_id &);
-template bool
-find_face<3>(const std::string &, types::boundary_id &);
-template std::string
-face_names<2>();
-template std::string
-face_names<3>();
+template Body<2>
+make_box(const Point<2> &, const BoxNumbering<2>::Indices &);
+template Body<3>
+make_box(const Point<3> &, const BoxNumbering<3>::Indices &);
 } // namespace Setsudan

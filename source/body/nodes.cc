@@ -33,6 +33,18 @@ unit_point_of_node(const unsigned int node)
 
 
 template <int dim>
+std::optional<unsigned int>
+node_at(const Point<dim> &unit_point)
+{
+  for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+    if (unit_point == unit_point_of_node<dim>(node))
+      return node;
+  return {};
+}
+
+
+
+template <int dim>
 bool
 node_is_on_face(const unsigned int node, const unsigned int face)
 {
@@ -51,6 +63,10 @@ template Point<2>
 unit_point_of_node<2>(const unsigned int);
 template Point<3>
 unit_point_of_node<3>(const unsigned int);
+template std::optional<unsigned int>
+node_at(const Point<2> &);
+template std::optional<unsigned int>
+node_at(const Point<3> &);
 template bool
 node_is_on_face<2>(const unsigned int, const unsigned int);
 template bool

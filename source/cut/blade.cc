@@ -30,8 +30,9 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     "Blade",
                     "Direction",
                     dim == 3 ? "0, 0, -1" : "0, -1",
-                    Patterns::List(Patterns::Double(), dim, dim),
-                    "The way of the blade, in the plane of the cut [-].");
+                    Patterns::Anything(),
+                    "The way of the blade; it is projected into the cut. One "
+                    "for all cuts, or one for each, separated by ';' [-].");
   Setsudan::declare(handler,
                     "Blade",
                     "Edge loads",
@@ -40,11 +41,61 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     dim == 3
                       ? "The blade's forces along Direction, as 'position : "
                         "force', separated by commas; the position is the "
-                        "coordinate along the edge [length : force]."
+                        "coordinate of the axis nearest to the edge, or the "
+                        "length along the edge of a cut that no axis follows. "
+                        "One list for all cuts, or one for each, separated by "
+                        "';' [length : force]."
                       : "The blade's force along Direction, as '0 : force': in "
                         "2D the edge is a point [- : force/thickness].");
 }
 
+
+
+namespace
+{
+template <int dim>
+Tensor<1, dim>
+read_direction(const Parameters &parameters, const std::string &text)
+{
+  std::vector<double> components;
+  parameters.require(parse_numbers(text, components) &&
+                       components.size() == dim,
+                     "Blade",
+                     "Direction",
+                     std::to_string(dim) +
+                       " numbers separated by commas, for each cut or for all "
+                       "(separated by ';')");
+  Tensor<1, dim> direction;
+  double largest = 0;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      direction[d] = components[d];
+      largest      = std::max(largest, std::abs(direction[d]));
+    }
+  parameters.require(
+    largest > 0, "Blade", "Direction", "a vector that is not zero");
+  // First by the largest component, whose square may be too large or small.
+  direction /= largest;
+  return direction / direction.norm();
+}
+
+std::vector<EdgeLoad>
+read_edge_loads(const Parameters &parameters, const std::string &text)
+{
+  std::vector<EdgeLoad> loads;
+  for (const auto &[position, force] : split_items(text, ','))
+    {
+      std::vector<double> s, f;
+      parameters.require(parse_numbers(position, s) && s.size() == 1 &&
+                           parse_numbers(force, f) && f.size() == 1,
+                         "Blade",
+                         "Edge loads",
+                         "a list of 'position : force'");
+      loads.push_back({s[0], f[0]});
+    }
+  return loads;
+}
+} // namespace
 
 
 template <int dim>
@@ -58,30 +109,16 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
                      "a number from 0 to 1");
   parameters.require(
     thickness >= 0, "Blade", "Thickness", "a number that is not negative");
-  const auto components = parameters.numbers("Blade", "Direction", dim);
-  for (unsigned int d = 0; d < dim; ++d)
-    direction[d] = components[d];
-  double largest = 0;
-  for (unsigned int d = 0; d < dim; ++d)
-    largest = std::max(largest, std::abs(direction[d]));
-  parameters.require(
-    largest > 0, "Blade", "Direction", "a vector that is not zero");
-  // First by the largest component, whose square may be too large or small.
-  direction /= largest;
-  direction /= direction.norm();
-
-  for (const auto &[position, force] :
-       split_items(parameters.text("Blade", "Edge loads"), ','))
-    {
-      std::vector<double> s, f;
-      parameters.require(parse_numbers(position, s) && s.size() == 1 &&
-                           parse_numbers(force, f) && f.size() == 1 &&
-                           std::isfinite(s[0]) && std::isfinite(f[0]),
-                         "Blade",
-                         "Edge loads",
-                         "a list of 'position : force'");
-      edge_loads.push_back({s[0], f[0]});
-    }
+  for (const auto &text : split(parameters.text("Blade", "Direction"), ';'))
+    directions.push_back(read_direction<dim>(parameters, text));
+  parameters.require(!directions.empty(),
+                     "Blade",
+                     "Direction",
+                     std::to_string(dim) + " numbers separated by commas");
+  for (const auto &text : split(parameters.text("Blade", "Edge loads"), ';'))
+    edge_loads.push_back(read_edge_loads(parameters, text));
+  if (edge_loads.empty())
+    edge_loads.emplace_back();
 }
 
 

@@ -1,6 +1,6 @@
-#include <setsudan/body/nodes.h>
+#include <deal.II/base/numbers.h>
+
 #include <setsudan/cut/blade_edge.h>
-#include <setsudan/parameters/lists.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +10,43 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-BladeEdge<dim>::BladeEdge(const Tensor<1, dim> &normal,
-                          const Tensor<1, dim> &direction)
+BladeEdge<dim>::BladeEdge(const SurfaceArea<dim> &area,
+                          const Tensor<1, dim> &way)
+  : direction(way)
 {
+  Tensor<1, dim> normal;
+  if (area.vector.norm() > 1e-6 * area.area)
+    normal = area.vector / area.vector.norm();
+  // A direction that lies in the cut up to round-off stays as it is.
+  const double out_of_plane = normal * way;
+  if (std::abs(out_of_plane) > 1e-12)
+    {
+      turned_by =
+        std::asin(std::min(1., std::abs(out_of_plane))) * 180 / numbers::PI;
+      direction -= out_of_plane * normal;
+      if (direction.norm() > 0)
+        direction /= direction.norm();
+    }
   if constexpr (dim == 3)
     {
-      tangent = cross_product_3d(normal, direction);
-      tangent /= tangent.norm();
+      // Any edge across the way, where the surface is closed.
+      Tensor<1, dim> tangent = cross_product_3d(normal, direction);
+      for (unsigned int d = 0; d < dim && normal.norm() == 0; ++d)
+        tangent[d] = 1 - std::abs(direction[d]);
       for (unsigned int d = 1; d < dim; ++d)
         // The first of equally near axes, whatever the round-off.
         if (std::abs(tangent[d]) > std::abs(tangent[axis]) + 1e-12)
           axis = d;
-      if (tangent[axis] < 0)
-        tangent = -tangent;
     }
+}
+
+
+
+template <int dim>
+double
+BladeEdge<dim>::travel(const Point<dim> &point) const
+{
+  return direction * Tensor<1, dim>(point);
 }
 
 
@@ -33,17 +56,6 @@ double
 BladeEdge<dim>::position(const Point<dim> &point) const
 {
   return dim == 2 ? 0. : point[axis];
-}
-
-
-
-template <int dim>
-Point<dim>
-BladeEdge<dim>::point(const Point<dim> &origin, const double position) const
-{
-  if (dim == 2)
-    return origin;
-  return origin + (position - origin[axis]) / tangent[axis] * tangent;
 }
 
 
@@ -97,87 +109,6 @@ share_edge_loads(const std::vector<EdgeLoad> &loads,
 
 
 
-template <int dim>
-void
-check_blade(const Parameters &parameters,
-            const BladeParameters<dim> &blade,
-            const Body<dim> &body,
-            const Supports<dim> &supports,
-            const CutSurface<dim> &surface)
-{
-  const Tensor<1, dim> &normal = surface.front().normal;
-  // An angle of a millionth is a direction that was written with six digits.
-  parameters.require(std::abs(blade.direction * normal) < 1e-6,
-                     "Blade",
-                     "Direction",
-                     "a direction in the plane of every cut");
-
-  // The nodes of the cut, by how far the blade has to go to them.
-  const BladeEdge<dim> edge(normal, blade.direction);
-  struct Node
-  {
-    double depth;
-    double position;
-    bool fixed;
-  };
-  std::vector<Node> nodes;
-  for (const auto &face : surface)
-    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
-      if (node_is_on_face<dim>(node, face.plus.second))
-        {
-          const auto point = body.mesh.node_position(face.plus.first, node);
-          nodes.push_back({blade.direction * Tensor<1, dim>(point),
-                           edge.position(point),
-                           supports.is_fixed(face.plus.first, node)});
-        }
-  const double tolerance = 1e-8 * body.mesh.extent();
-  const auto by          = [](const auto member) {
-    return
-      [member](const Node &a, const Node &b) { return a.*member < b.*member; };
-  };
-  const double entry =
-    std::min_element(nodes.begin(), nodes.end(), by(&Node::depth))->depth;
-  nodes.erase(std::remove_if(nodes.begin(),
-                             nodes.end(),
-                             [&](const Node &node) {
-                               return node.depth > entry + tolerance;
-                             }),
-              nodes.end());
-  parameters.require(std::any_of(nodes.begin(),
-                                 nodes.end(),
-                                 [](const Node &node) { return !node.fixed; }),
-                     "Blade",
-                     "Direction",
-                     "a direction into the body from a side that is not fixed");
-
-  const auto ends =
-    std::minmax_element(nodes.begin(), nodes.end(), by(&Node::position));
-  for (const auto &load : blade.edge_loads)
-    parameters.require(load.position >= ends.first->position - tolerance &&
-                         load.position <= ends.second->position + tolerance,
-                       "Blade",
-                       "Edge loads",
-                       dim == 2 ? "a force at position 0"
-                                : "forces at positions from " +
-                                    short_text(ends.first->position) + " to " +
-                                    short_text(ends.second->position) +
-                                    ", where the edge meets the body");
-}
-
-
-
 template struct BladeEdge<2>;
 template struct BladeEdge<3>;
-template void
-check_blade(const Parameters &,
-            const BladeParameters<2> &,
-            const Body<2> &,
-            const Supports<2> &,
-            const CutSurface<2> &);
-template void
-check_blade(const Parameters &,
-            const BladeParameters<3> &,
-            const Body<3> &,
-            const Supports<3> &,
-            const CutSurface<3> &);
 } // namespace Setsudan

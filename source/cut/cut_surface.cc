@@ -1,94 +1,206 @@
+#include <setsudan/body/geometry.h>
 #include <setsudan/cut/cut_surface.h>
-#include <setsudan/parameters/lists.h>
+
+#include <cmath>
+#include <map>
 
 namespace Setsudan
 {
 using namespace dealii;
 
+namespace
+{
+/** The lines of a face (in 2D its vertices): where it can meet other faces. */
+template <int dim>
+std::vector<EntityKey>
+edges_of_face(const Body<dim> &body, const CellFace &face)
+{
+  std::vector<unsigned int> vertices;
+  for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+    vertices.push_back(
+      body.mesh.cells[face.first]
+        .vertices[GeometryInfo<dim>::face_to_cell_vertices(face.second, v)]);
+  if (dim == 2)
+    return {make_entity_key(std::vector<unsigned int>{vertices[0]}),
+            make_entity_key(std::vector<unsigned int>{vertices[1]})};
+  std::vector<EntityKey> edges;
+  for (const auto &[a, b] : std::vector<std::pair<unsigned int, unsigned int>>{
+         {0, 1}, {1, 3}, {3, 2}, {2, 0}})
+    edges.push_back(make_entity_key(std::vector<unsigned int>{
+      vertices[a % vertices.size()], vertices[b % vertices.size()]}));
+  return edges;
+}
+
+template <int dim>
+std::map<EntityKey, std::vector<unsigned int>>
+faces_at_edges(const Body<dim> &body, const CutSurface<dim> &surface)
+{
+  std::map<EntityKey, std::vector<unsigned int>> faces;
+  for (unsigned int f = 0; f < surface.size(); ++f)
+    for (const auto &edge : edges_of_face(body, surface[f].minus))
+      faces[edge].push_back(f);
+  return faces;
+}
+
+template <int dim>
+Tensor<1, dim>
+area_vector(const Body<dim> &body, const CutFace<dim> &face)
+{
+  return area_vector_of_face(body.mesh.node_positions(face.minus.first),
+                             face.minus.second);
+}
+
+/**
+ * The way around a face's boundary in 3D, as seen against its normal: whether
+ * it runs along an edge from the smaller to the larger vertex. Neighbors with
+ * consistent normals run along their common edge in opposite ways.
+ */
+template <int dim>
+bool
+runs_upwards(const Body<dim> &body,
+             const CutFace<dim> &face,
+             const EntityKey &edge)
+{
+  const auto &vertices = body.mesh.vertices;
+  if constexpr (dim == 3)
+    {
+      const auto nodes = body.mesh.node_positions(face.minus.first);
+      Point<dim> center;
+      for (unsigned int v = 0; v < 4; ++v)
+        center +=
+          0.25 *
+          nodes[GeometryInfo<dim>::face_to_cell_vertices(face.minus.second, v)];
+      const Tensor<1, dim> way = vertices[edge[1]] - vertices[edge[0]];
+      return area_vector(body, face) *
+               cross_product_3d(vertices[edge[0]] - center, way) >
+             0;
+    }
+  // In 2D the face itself is a line: does its normal, turned by a right angle,
+  // lead to this vertex?
+  const auto nodes = body.mesh.node_positions(face.minus.first);
+  const Point<dim> a =
+    nodes[GeometryInfo<dim>::face_to_cell_vertices(face.minus.second, 0)];
+  const Point<dim> b =
+    nodes[GeometryInfo<dim>::face_to_cell_vertices(face.minus.second, 1)];
+  const Tensor<1, dim> to_vertex = vertices[edge[0]] - (a + 0.5 * (b - a));
+  const auto normal              = area_vector(body, face);
+  return normal[0] * to_vertex[1] - normal[1] * to_vertex[0] > 0;
+}
+
 template <int dim>
 void
-CutParameters<dim>::declare(ParameterHandler &handler)
+turn(CutFace<dim> &face)
 {
-  Setsudan::declare(handler,
-                    "Cut",
-                    "Surfaces",
-                    "",
-                    Patterns::Anything(),
-                    "Where the body is divided, as 'axis : boundary', with "
-                    "boundaries between layers of elements counted from 1; "
-                    "several, separated by ';', are cut in turn. Without one "
-                    "the scene is a deformation and nothing else.");
+  std::swap(face.minus, face.plus);
 }
 
-
-
+/** Make the plus side of a connected part the conventional one. */
 template <int dim>
-CutParameters<dim>::CutParameters(const Parameters &parameters,
-                                  const BodyParameters<dim> &body)
+void
+choose_plus(const Body<dim> &body,
+            CutSurface<dim> &surface,
+            const std::vector<unsigned int> &part)
 {
-  const std::string axes = std::string("xyz").substr(0, dim);
-  for (const auto &[axis, boundary] :
-       split_items(parameters.text("Cut", "Surfaces"), ';'))
+  CutSurface<dim> faces;
+  double outward = 0;
+  for (const unsigned int f : part)
     {
-      AxisCut cut{0, 0, axis + ":" + boundary};
-      cut.axis = axes.find(axis);
-      parameters.require(axis.size() == 1 && cut.axis < dim,
-                         "Cut",
-                         "Surfaces",
-                         "'axis : boundary' with an axis of " + axes);
-      const unsigned int n_layers = body.n_elements[cut.axis];
-      std::vector<double> number;
-      const bool valid = parse_numbers(boundary, number) &&
-                         number.size() == 1 && number[0] >= 1 &&
-                         number[0] <= n_layers - 1. &&
-                         number[0] == static_cast<unsigned int>(number[0]);
-      parameters.require(valid,
-                         "Cut",
-                         "Surfaces",
-                         n_layers == 1
-                           ? "no cut across " + axis +
-                               ", where the body is one element thick"
-                           : "for " + axis + " a boundary from 1 to " +
-                               std::to_string(n_layers - 1));
-      cut.boundary = static_cast<unsigned int>(number[0]);
-      for (const auto &other : surfaces)
-        parameters.require(other.axis != cut.axis ||
-                             other.boundary != cut.boundary,
-                           "Cut",
-                           "Surfaces",
-                           "each surface once");
-      surfaces.push_back(cut);
+      faces.push_back(surface[f]);
+      outward += area_vector(body, surface[f]) *
+                 Tensor<1, dim>(body.mesh.cell_center(surface[f].minus.first));
     }
+  const auto sum = measure_surface(body, faces);
+  double sign    = outward;
+  if (sum.vector.norm() > 1e-6 * sum.area)
+    {
+      sign = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(sum.vector[d]) > std::abs(sign) * (1 + 1e-10))
+          sign = sum.vector[d];
+    }
+  if (sign < 0)
+    for (const unsigned int f : part)
+      turn(surface[f]);
+}
+} // namespace
+
+
+template <int dim>
+SurfaceArea<dim>
+measure_surface(const Body<dim> &body, const CutSurface<dim> &surface)
+{
+  SurfaceArea<dim> sum;
+  for (const auto &face : surface)
+    {
+      const auto area = area_vector(body, face);
+      sum.vector += area;
+      sum.area += area.norm();
+    }
+  return sum;
 }
 
 
 
 template <int dim>
-CutSurface<dim>
-make_cut_surface(const Body<dim> &body, const AxisCut &cut)
+std::vector<Point<dim>>
+find_branchings(const Body<dim> &body, const CutSurface<dim> &surface)
 {
-  CutSurface<dim> surface;
-  for (unsigned int element = 0; element < body.mesh.cells.size(); ++element)
+  std::vector<Point<dim>> points;
+  for (const auto &[edge, faces] : faces_at_edges(body, surface))
+    if (faces.size() > 2)
+      points.push_back(body.mesh.vertices[edge[0]]);
+  return points;
+}
+
+
+
+template <int dim>
+bool
+orient_surface(const Body<dim> &body, CutSurface<dim> &surface)
+{
+  const auto faces = faces_at_edges(body, surface);
+  std::vector<bool> visited(surface.size(), false);
+  for (unsigned int first = 0; first < surface.size(); ++first)
     {
-      auto indices = body.numbering.element_indices(element);
-      if (indices[cut.axis] != cut.boundary)
+      if (visited[first])
         continue;
-      CutFace<dim> face;
-      face.plus = {element, 2 * cut.axis};
-      --indices[cut.axis];
-      face.minus = {body.numbering.element_number(indices), 2 * cut.axis + 1};
-      face.normal[cut.axis] = 1;
-      surface.push_back(face);
+      std::vector<unsigned int> part(1, first);
+      visited[first] = true;
+      for (unsigned int i = 0; i < part.size(); ++i)
+        for (const auto &edge : edges_of_face(body, surface[part[i]].minus))
+          for (const unsigned int other : faces.at(edge))
+            {
+              if (other == part[i])
+                continue;
+              const bool consistent =
+                runs_upwards(body, surface[part[i]], edge) !=
+                runs_upwards(body, surface[other], edge);
+              if (visited[other] && !consistent)
+                return false;
+              if (visited[other])
+                continue;
+              if (!consistent)
+                turn(surface[other]);
+              visited[other] = true;
+              part.push_back(other);
+            }
+      choose_plus(body, surface, part);
     }
-  return surface;
+  return true;
 }
 
 
 
-template struct CutParameters<2>;
-template struct CutParameters<3>;
-template CutSurface<2>
-make_cut_surface(const Body<2> &, const AxisCut &);
-template CutSurface<3>
-make_cut_surface(const Body<3> &, const AxisCut &);
+template SurfaceArea<2>
+measure_surface(const Body<2> &, const CutSurface<2> &);
+template SurfaceArea<3>
+measure_surface(const Body<3> &, const CutSurface<3> &);
+template std::vector<Point<2>>
+find_branchings(const Body<2> &, const CutSurface<2> &);
+template std::vector<Point<3>>
+find_branchings(const Body<3> &, const CutSurface<3> &);
+template bool
+orient_surface(const Body<2> &, CutSurface<2> &);
+template bool
+orient_surface(const Body<3> &, CutSurface<3> &);
 } // namespace Setsudan

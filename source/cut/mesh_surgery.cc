@@ -1,9 +1,9 @@
-#include <deal.II/base/exceptions.h>
-
 #include <setsudan/cut/mesh_surgery.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
+#include <numeric>
+#include <unordered_map>
 
 namespace Setsudan
 {
@@ -21,20 +21,21 @@ public:
   {
     for (const auto &face : surface)
       {
-        const FaceKey key = mesh.face_key(face.minus);
-        Assert(key == mesh.face_key(face.plus),
-               ExcMessage("The two cells of a cut face do not share it."));
-        cut.insert(key);
-        for (const unsigned int vertex : key)
-          cells_at[vertex];
+        cut.push_back(mesh.face_key(face.minus));
+        for (const unsigned int vertex : cut.back())
+          if (vertex != numbers::invalid_unsigned_int)
+            cells_at[vertex];
       }
+    std::sort(cut.begin(), cut.end());
+
+    // All cells are looked at once; a bit for each vertex makes that quick.
+    std::vector<bool> on_cut(mesh.vertices.size(), false);
+    for (const auto &[vertex, cells] : cells_at)
+      on_cut[vertex] = true;
     for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
       for (const unsigned int vertex : mesh.cells[cell].vertices)
-        {
-          const auto fan = cells_at.find(vertex);
-          if (fan != cells_at.end())
-            fan->second.push_back(cell);
-        }
+        if (on_cut[vertex])
+          cells_at[vertex].push_back(cell);
   }
 
   /** The vertices of the cut, in order, each with its fan of cells. */
@@ -51,45 +52,45 @@ public:
   {
     // Two cells of the fan are neighbors if they have a face at the vertex.
     const std::vector<unsigned int> &fan = cells_at.at(vertex);
-    std::map<FaceKey, std::vector<unsigned int>> cells_of_face;
-    for (const unsigned int cell : fan)
+    std::vector<std::pair<EntityKey, unsigned int>> faces;
+    for (unsigned int i = 0; i < fan.size(); ++i)
       for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
         {
-          const FaceKey key = mesh.face_key({cell, f});
+          const EntityKey key = mesh.face_key({fan[i], f});
           if (std::binary_search(key.begin(), key.end(), vertex) &&
-              cut.count(key) == 0)
-            cells_of_face[key].push_back(cell);
+              !std::binary_search(cut.begin(), cut.end(), key))
+            faces.emplace_back(key, i);
         }
+    std::sort(faces.begin(), faces.end());
 
-    std::map<unsigned int, unsigned int> component;
-    for (const unsigned int cell : fan)
-      component[cell] = cell;
+    std::vector<unsigned int> name(fan.size());
+    std::iota(name.begin(), name.end(), 0);
     // Fans are small: let the smaller name spread until nothing changes.
     for (bool changed = true; changed;)
       {
         changed = false;
-        for (const auto &[key, cells] : cells_of_face)
-          for (const unsigned int a : cells)
-            for (const unsigned int b : cells)
-              if (component[a] < component[b])
-                {
-                  component[b] = component[a];
-                  changed      = true;
-                }
+        for (unsigned int i = 0; i + 1 < faces.size(); ++i)
+          if (faces[i].first == faces[i + 1].first)
+            {
+              unsigned int &a = name[faces[i].second];
+              unsigned int &b = name[faces[i + 1].second];
+              changed         = changed || a != b;
+              a = b = std::min(a, b);
+            }
       }
 
     std::map<unsigned int, std::vector<unsigned int>> sorted;
-    for (const auto &[cell, name] : component)
-      sorted[name].push_back(cell);
+    for (unsigned int i = 0; i < fan.size(); ++i)
+      sorted[name[i]].push_back(fan[i]);
     std::vector<std::vector<unsigned int>> components;
-    for (const auto &[name, cells] : sorted)
+    for (const auto &[first, cells] : sorted)
       components.push_back(cells);
     return components;
   }
 
 private:
   const CoarseMesh<dim> &mesh;
-  std::set<FaceKey> cut;
+  std::vector<EntityKey> cut;
   std::map<unsigned int, std::vector<unsigned int>> cells_at;
 };
 } // namespace
@@ -100,7 +101,7 @@ CoarseMesh<dim>
 split_mesh(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface)
 {
   CoarseMesh<dim> split = mesh;
-  const Fans<dim> fans(mesh, surface);
+  const Fans<dim> fans(mesh, joined_faces(mesh, surface));
   for (const auto &[vertex, fan] : fans.at_vertices())
     {
       const auto components = fans.components(vertex);
@@ -115,15 +116,20 @@ split_mesh(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface)
             }
         }
     }
-  // A face whose vertices all stayed joined (a cut that separates nothing
-  // there) stays inside the body.
-  for (const auto &face : surface)
-    if (split.face_key(face.minus) != split.face_key(face.plus))
-      {
-        split.boundary_ids[face.minus] = cut_minus_id;
-        split.boundary_ids[face.plus]  = cut_plus_id;
-      }
   return split;
+}
+
+
+
+template <int dim>
+CutSurface<dim>
+joined_faces(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface)
+{
+  CutSurface<dim> joined;
+  for (const auto &face : surface)
+    if (mesh.face_key(face.minus) == mesh.face_key(face.plus))
+      joined.push_back(face);
+  return joined;
 }
 
 
@@ -132,4 +138,8 @@ template CoarseMesh<2>
 split_mesh(const CoarseMesh<2> &, const CutSurface<2> &);
 template CoarseMesh<3>
 split_mesh(const CoarseMesh<3> &, const CutSurface<3> &);
+template CutSurface<2>
+joined_faces(const CoarseMesh<2> &, const CutSurface<2> &);
+template CutSurface<3>
+joined_faces(const CoarseMesh<3> &, const CutSurface<3> &);
 } // namespace Setsudan

@@ -1,9 +1,12 @@
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/body/geometry.h>
 #include <setsudan/cut/node_pairs.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <tuple>
 
 namespace Setsudan
 {
@@ -22,9 +25,24 @@ namespace
 {
 /** What one side's cell knows of a node of a cut face, as plain numbers, since
  * it is sent to the other processes: index of the face in the surface, side,
- * node of the cell, supported components, unknowns. */
+ * path of the cell in its element, node of the cell, supported components and
+ * whether it hangs, unknowns. */
 template <int dim>
-using Report = std::array<std::uint64_t, 4 + dim>;
+using Report = std::array<std::uint64_t, 5 + dim>;
+
+template <int dim>
+std::uint64_t
+flags_of_node(const ElasticModel<dim> &model,
+              const typename Discretization<dim>::NodeIndices &node)
+{
+  std::uint64_t flags = 0;
+  for (unsigned int c = 0; c < dim; ++c)
+    if (model.supports.is_constrained(node[c]))
+      flags |= 1u << c;
+  if (model.hanging.is_constrained(node[0]))
+    flags |= 1u << dim;
+  return flags;
+}
 
 template <int dim>
 std::vector<Report<dim>>
@@ -45,95 +63,170 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
         const auto range = sides.equal_range(discretization.element(cell));
         if (range.first == range.second)
           continue;
-        const auto nodes = discretization.node_indices(cell);
+        const auto nodes  = discretization.node_indices(cell);
+        const auto points = discretization.points_in_element(cell);
+        const auto path   = path_of_cell<dim>(cell).path;
         for (auto it = range.first; it != range.second; ++it)
           {
             const auto [f, side] = it->second;
-            const auto &cell_face =
-              side == 0 ? surface[f].minus : surface[f].plus;
+            const unsigned int face =
+              side == 0 ? surface[f].minus.second : surface[f].plus.second;
             for (unsigned int node = 0; node < nodes.size(); ++node)
-              if (node_is_on_face<dim>(node, cell_face.second))
+              if (node_is_on_face<dim>(node, face))
                 {
-                  Report<dim> report{{f, side, node, 0}};
-                  for (unsigned int c = 0; c < dim; ++c)
-                    {
-                      report[4 + c] = nodes[node][c];
-                      if (model.supports.is_constrained(nodes[node][c]))
-                        report[3] |= 1u << c;
-                    }
+                  // A refined cell may lie away from its element's face.
+                  if (points[node][face / 2] != face % 2)
+                    break;
+                  Report<dim> report{
+                    {f, side, path, node, flags_of_node(model, nodes[node])}};
+                  std::copy(
+                    nodes[node].begin(), nodes[node].end(), report.begin() + 5);
                   reports.push_back(report);
                 }
           }
       }
   return reports;
 }
+
+
+
+/** Puts pairs together from the reports of their two sides. */
+template <int dim>
+class PairBuilder
+{
+public:
+  PairBuilder(const CutSurface<dim> &surface,
+              const Body<dim> &body,
+              const CoarseMesh<dim> &split)
+    : surface(surface)
+    , body(body)
+    , split(split)
+  {
+  }
+
+  void
+  add(const Report<dim> &report)
+  {
+    const CutFace<dim> &face = surface[report[0]];
+    const bool is_minus      = report[1] == 0;
+    const CellFace &side     = is_minus ? face.minus : face.plus;
+    const CellPath path{side.first, report[2]};
+    const unsigned int node = report[3];
+    const auto point =
+      point_in_element<dim>(path, unit_point_of_node<dim>(node));
+    Point<dim> center;
+    for (unsigned int d = 0; d < dim; ++d)
+      center[d] = d == side.second / 2 ? side.second % 2 : 0.5;
+
+    const PointName name = name_of_point(body.mesh, side.first, point);
+    const PointName cell_face =
+      name_of_point(body.mesh, side.first, point_in_element<dim>(path, center));
+    NodePair<dim> &pair = pairs[{report[0], cell_face}][name];
+    pair.name           = name;
+    pair.is_corner =
+      vertices_of_node<dim>(node)[0] == vertices_of_node<dim>(node)[1];
+    if (is_minus)
+      {
+        const auto corners = body.mesh.node_positions(side.first);
+        pair.position =
+          path.path == 1 ? corners[node] : point_of_element(corners, point);
+        pair.normal  = normal_of_face(corners, side.second, point);
+        pair.element = side.first;
+      }
+    auto &indices = is_minus ? pair.minus : pair.plus;
+    std::copy(report.begin() + 5, report.end(), indices.begin());
+    pair.supported |= std::bitset<dim>(report[4]);
+    pair.is_hanging = pair.is_hanging || (report[4] >> dim) != 0;
+    // A node is divided if an end of the line it lies on, or a corner of the
+    // face, is.
+    names_in_split[{report[0], cell_face, name}].push_back(
+      name_of_point(split, side.first, point));
+    const auto &names = names_in_split[{report[0], cell_face, name}];
+    pair.is_divided   = names.front() != names.back();
+  }
+
+  /** The faces that meet at a node name the same pair. */
+  SurfaceNodes<dim>
+  finish() const
+  {
+    using Key = std::pair<PointName, std::array<types::global_dof_index, 2>>;
+    const auto key_of = [](const NodePair<dim> &pair) {
+      return Key{pair.name, {{pair.minus[0], pair.plus[0]}}};
+    };
+    std::map<Key, NodePair<dim>> unique;
+    for (const auto &[face, of_face] : pairs)
+      for (const auto &[name, pair] : of_face)
+        {
+          const auto inserted = unique.emplace(key_of(pair), pair);
+          auto &whole         = inserted.first->second;
+          if (!inserted.second)
+            {
+              whole.normal += pair.normal;
+              whole.supported |= pair.supported;
+              whole.is_hanging = whole.is_hanging || pair.is_hanging;
+              whole.is_divided = whole.is_divided || pair.is_divided;
+            }
+        }
+
+    SurfaceNodes<dim> result;
+    std::map<Key, unsigned int> number;
+    for (auto &[key, pair] : unique)
+      {
+        number[key] = result.pairs.size();
+        pair.normal /= pair.normal.norm();
+        result.pairs.push_back(pair);
+      }
+    for (const auto &[face, of_face] : pairs)
+      {
+        result.faces.emplace_back();
+        for (const auto &[name, pair] : of_face)
+          result.faces.back().push_back(number.at(key_of(pair)));
+      }
+    return result;
+  }
+
+private:
+  const CutSurface<dim> &surface;
+  const Body<dim> &body;
+  const CoarseMesh<dim> &split;
+  /** By face of a cell, named by its center, and by node. */
+  std::map<std::pair<std::uint64_t, PointName>,
+           std::map<PointName, NodePair<dim>>>
+    pairs;
+  std::map<std::tuple<std::uint64_t, PointName, PointName>,
+           std::vector<PointName>>
+    names_in_split;
+};
 } // namespace
 
 
 template <int dim>
-std::vector<NodePair<dim>>
-collect_node_pairs(const ElasticModel<dim> &model,
-                   const CutSurface<dim> &surface,
-                   const Body<dim> &body)
+SurfaceNodes<dim>
+collect_surface_nodes(const ElasticModel<dim> &model,
+                      const CutSurface<dim> &surface,
+                      const Body<dim> &body,
+                      const CoarseMesh<dim> &split)
 {
-  // A pair is put together within its face, where its number is unique.
-  std::map<std::pair<unsigned int, unsigned int>, NodePair<dim>> by_face;
+  PairBuilder<dim> builder(surface, body, split);
   for (const auto &reports : Utilities::MPI::all_gather(
          model.discretization.communicator, report_own_sides(model, surface)))
     for (const auto &report : reports)
-      {
-        const auto &face        = surface[report[0]];
-        const bool is_minus     = report[1] == 0;
-        const unsigned int cell = is_minus ? face.minus.first : face.plus.first;
-        const unsigned int node = report[2];
-        const unsigned int number = body.numbering.node_number(cell, node);
-        NodePair<dim> &pair       = by_face[{report[0], number}];
-        pair.number               = number;
-        pair.normal               = face.normal;
-        pair.is_corner =
-          vertices_of_node<dim>(node)[0] == vertices_of_node<dim>(node)[1];
-        if (is_minus)
-          pair.position = body.mesh.node_position(cell, node);
-        for (unsigned int c = 0; c < dim; ++c)
-          (is_minus ? pair.minus : pair.plus)[c] = report[4 + c];
-        pair.supported |= std::bitset<dim>(report[3]);
-      }
-
-  // The faces that meet at a node name the same pair.
-  std::map<std::array<types::global_dof_index, 2>, NodePair<dim>> unique;
-  for (const auto &[key, pair] : by_face)
-    {
-      const auto inserted = unique.emplace(
-        std::array<types::global_dof_index, 2>{{pair.minus[0], pair.plus[0]}},
-        pair);
-      if (!inserted.second)
-        {
-          inserted.first->second.normal += pair.normal;
-          inserted.first->second.supported |= pair.supported;
-        }
-    }
-  std::vector<NodePair<dim>> pairs;
-  for (auto &[key, pair] : unique)
-    {
-      pair.normal /= pair.normal.norm();
-      pairs.push_back(pair);
-    }
-  std::sort(pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
-    return std::tie(a.number, a.minus) < std::tie(b.number, b.minus);
-  });
-  return pairs;
+      builder.add(report);
+  return builder.finish();
 }
 
 
 
 template struct NodePair<2>;
 template struct NodePair<3>;
-template std::vector<NodePair<2>>
-collect_node_pairs(const ElasticModel<2> &,
-                   const CutSurface<2> &,
-                   const Body<2> &);
-template std::vector<NodePair<3>>
-collect_node_pairs(const ElasticModel<3> &,
-                   const CutSurface<3> &,
-                   const Body<3> &);
+template SurfaceNodes<2>
+collect_surface_nodes(const ElasticModel<2> &,
+                      const CutSurface<2> &,
+                      const Body<2> &,
+                      const CoarseMesh<2> &);
+template SurfaceNodes<3>
+collect_surface_nodes(const ElasticModel<3> &,
+                      const CutSurface<3> &,
+                      const Body<3> &,
+                      const CoarseMesh<3> &);
 } // namespace Setsudan

@@ -1,6 +1,9 @@
 #include <setsudan/cut/rows.h>
 
+#include <setsudan/cut/fronts.h>
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace Setsudan
@@ -17,6 +20,14 @@ DivisionParameters::declare(ParameterHandler &handler)
                     Patterns::Selection("node row|element row"),
                     "What is split at once: a layer of nodes, or a layer of "
                     "corner nodes with the mid-side nodes behind it.");
+  Setsudan::declare(handler,
+                    "Division",
+                    "Row tolerance",
+                    "0.01",
+                    Patterns::Double(),
+                    "Nodes that the blade reaches within this part of the "
+                    "shortest line on the cut are one row; at least 0 and less "
+                    "than 0.5 [-].");
   Setsudan::declare(handler,
                     "Division",
                     "Load control",
@@ -39,11 +50,16 @@ DivisionParameters::DivisionParameters(const Parameters &parameters)
   : release(parameters.text("Division", "Release") == "node row"
               ? Release::node_row
               : Release::element_row)
+  , row_tolerance(parameters.number("Division", "Row tolerance"))
   , load_control(parameters.text("Division", "Load control") == "constant"
                    ? LoadControl::constant
                    : LoadControl::ramp)
   , max_load_factor(parameters.number("Division", "Maximum load factor"))
 {
+  parameters.require(row_tolerance >= 0 && row_tolerance < 0.5,
+                     "Division",
+                     "Row tolerance",
+                     "a number from 0 to less than 0.5");
   parameters.require(max_load_factor >= 0,
                      "Division",
                      "Maximum load factor",
@@ -54,85 +70,117 @@ DivisionParameters::DivisionParameters(const Parameters &parameters)
 
 namespace
 {
-/** Add a layer of nodes to the row that it goes with. */
-void
-append_layer(const std::vector<unsigned int> &layer,
-             const double depth,
-             const bool own_row,
-             std::vector<Row> &rows)
+/** The nodes of the cut in layers, in the order in which the blade reaches
+ * them. */
+template <int dim>
+std::vector<Layer>
+make_layers(const SurfaceNodes<dim> &nodes,
+            const BladeEdge<dim> &edge,
+            const double tolerance)
 {
-  if (own_row)
-    rows.push_back({layer, layer, depth});
-  else
-    rows.back().pairs.insert(
-      rows.back().pairs.end(), layer.begin(), layer.end());
+  std::vector<double> travel;
+  for (const auto &pair : nodes.pairs)
+    travel.push_back(edge.travel(pair.position));
+  std::vector<unsigned int> order(travel.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+    return travel[a] < travel[b];
+  });
+
+  std::vector<Layer> layers;
+  for (auto begin = order.begin(); begin != order.end();)
+    {
+      const double first = travel[*begin];
+      const auto end     = std::find_if(begin, order.end(), [&](const auto p) {
+        return travel[p] > first + tolerance;
+      });
+      layers.push_back({std::vector<unsigned int>(begin, end),
+                        {},
+                        {},
+                        first - travel[order.front()]});
+      begin = end;
+    }
+  return layers;
+}
+
+
+
+/** The shortest line between nodes of a face of the cut; it has a node in its
+ * middle. */
+template <int dim>
+double
+shortest_line(const SurfaceNodes<dim> &nodes)
+{
+  double shortest = std::numeric_limits<double>::max();
+  for (const auto &face : nodes.faces)
+    for (unsigned int i = 0; i < face.size(); ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        if (nodes.pairs[face[i]].is_corner && nodes.pairs[face[j]].is_corner)
+          shortest = std::min(shortest,
+                              nodes.pairs[face[i]].position.distance(
+                                nodes.pairs[face[j]].position));
+  return shortest;
+}
+
+
+
+/** Whether a layer waits for the blade, or goes with another one. */
+template <int dim>
+bool
+is_row(const SurfaceNodes<dim> &nodes,
+       const Layer &layer,
+       const DivisionParameters::Release release)
+{
+  bool divided = false, held = true, has_corners = false;
+  for (const unsigned int p : layer.nodes)
+    {
+      divided     = divided || nodes.pairs[p].is_divided;
+      held        = held && nodes.pairs[p].supported.all();
+      has_corners = has_corners || nodes.pairs[p].is_corner;
+    }
+  return divided && !held &&
+         (release == DivisionParameters::Release::node_row || has_corners);
 }
 } // namespace
 
 
 template <int dim>
 std::vector<Row>
-make_rows(const std::vector<NodePair<dim>> &pairs,
-          const Tensor<1, dim> &direction,
+make_rows(const SurfaceNodes<dim> &nodes,
           const BladeEdge<dim> &edge,
-          const DivisionParameters::Release release)
+          const DivisionParameters &division)
 {
-  std::vector<double> depths, positions;
-  for (const auto &pair : pairs)
-    {
-      depths.push_back(direction * Tensor<1, dim>(pair.position));
-      positions.push_back(edge.position(pair.position));
-    }
-  const auto ends        = std::minmax_element(depths.begin(), depths.end());
-  const double entry     = *ends.first;
-  const double tolerance = 1e-8 * (*ends.second - entry);
-
-  std::vector<unsigned int> order(pairs.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-    return depths[a] < depths[b];
-  });
+  auto layers =
+    make_layers(nodes, edge, division.row_tolerance * shortest_line(nodes));
+  order_fronts(nodes, edge, layers);
 
   std::vector<Row> rows;
-  for (auto begin = order.begin(); begin != order.end();)
-    {
-      const double depth = depths[*begin];
-      const auto end     = std::find_if(begin, order.end(), [&](const auto p) {
-        return depths[p] > depth + tolerance;
-      });
-      std::vector<unsigned int> layer(begin, end);
-      std::sort(layer.begin(), layer.end(), [&](const auto a, const auto b) {
-        return std::tie(positions[a], a) < std::tie(positions[b], b);
-      });
-      begin = end;
-
-      const bool has_corners =
-        std::any_of(layer.begin(), layer.end(), [&](const auto p) {
-          return pairs[p].is_corner;
-        });
-      const bool on_board =
-        std::all_of(layer.begin(), layer.end(), [&](const auto p) {
-          return pairs[p].supported.all();
-        });
-      const bool own_row =
-        rows.empty() ||
-        (!on_board &&
-         (release == DivisionParameters::Release::node_row || has_corners));
-      append_layer(layer, depth - entry, own_row, rows);
-    }
+  std::vector<unsigned int> ahead;
+  for (const auto &layer : layers)
+    if (is_row(nodes, layer, division.release))
+      {
+        rows.push_back(
+          {layer.nodes, layer.front, layer.positions, layer.depth});
+        rows.back().pairs.insert(
+          rows.back().pairs.end(), ahead.begin(), ahead.end());
+        ahead.clear();
+      }
+    else
+      {
+        auto &with = rows.empty() ? ahead : rows.back().pairs;
+        with.insert(with.end(), layer.nodes.begin(), layer.nodes.end());
+      }
   return rows;
 }
 
 
 
 template std::vector<Row>
-make_rows(const std::vector<NodePair<2>> &,
-          const Tensor<1, 2> &,
+make_rows(const SurfaceNodes<2> &,
           const BladeEdge<2> &,
-          const DivisionParameters::Release);
+          const DivisionParameters &);
 template std::vector<Row>
-make_rows(const std::vector<NodePair<3>> &,
-          const Tensor<1, 3> &,
+make_rows(const SurfaceNodes<3> &,
           const BladeEdge<3> &,
-          const DivisionParameters::Release);
+          const DivisionParameters &);
 } // namespace Setsudan

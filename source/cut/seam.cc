@@ -1,6 +1,8 @@
 #include <setsudan/cut/seam.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace Setsudan
 {
@@ -13,6 +15,51 @@ Seam<dim>::Seam(const std::vector<NodePair<dim>> &pairs,
   , node_rows(rows)
   , states(pairs.size(), State::tied)
 {
+  choose_dependent_sides();
+}
+
+
+
+template <int dim>
+void
+Seam<dim>::choose_dependent_sides()
+{
+  std::set<types::global_dof_index> taken;
+  for (const auto &pair : node_pairs)
+    {
+      const bool constrained =
+        pair.is_double() && !pair.supported.all() && !pair.is_hanging;
+      if (!constrained)
+        dependent_sides.push_back(Dependent::none);
+      else if (taken.insert(pair.plus[0]).second)
+        dependent_sides.push_back(Dependent::plus);
+      else if (taken.insert(pair.minus[0]).second)
+        dependent_sides.push_back(Dependent::minus);
+      else
+        throw std::runtime_error(
+          "The cut meets itself or an earlier cut in a way that leaves no two "
+          "sides at a node. Cut in another order, or along smoother surfaces.");
+    }
+}
+
+
+
+template <int dim>
+const typename NodePair<dim>::NodeIndices &
+Seam<dim>::dependent(const unsigned int pair) const
+{
+  return dependent_sides[pair] == Dependent::plus ? node_pairs[pair].plus
+                                                  : node_pairs[pair].minus;
+}
+
+
+
+template <int dim>
+const typename NodePair<dim>::NodeIndices &
+Seam<dim>::independent(const unsigned int pair) const
+{
+  return dependent_sides[pair] == Dependent::plus ? node_pairs[pair].minus
+                                                  : node_pairs[pair].plus;
 }
 
 
@@ -111,30 +158,34 @@ Seam<dim>::add_constraints(AffineConstraints<double> &constraints) const
 {
   for (unsigned int p = 0; p < node_pairs.size(); ++p)
     {
-      const NodePair<dim> &pair = node_pairs[p];
-      if (!pair.is_double() || pair.supported.all() || states[p] == State::free)
+      if (dependent_sides[p] == Dependent::none || states[p] == State::free)
         continue;
+      const auto &normal    = node_pairs[p].normal;
+      const auto &supported = node_pairs[p].supported;
+      const auto &slave     = dependent(p);
+      const auto &master    = independent(p);
       if (states[p] == State::tied)
         {
           for (unsigned int c = 0; c < dim; ++c)
-            if (!pair.supported[c])
+            if (!supported[c] && !constraints.is_constrained(slave[c]))
               {
-                constraints.add_line(pair.plus[c]);
-                constraints.add_entry(pair.plus[c], pair.minus[c], 1);
+                constraints.add_line(slave[c]);
+                constraints.add_entry(slave[c], master[c], 1);
               }
           continue;
         }
       const unsigned int c = normal_component(p);
-      if (pair.supported[c])
+      if (supported[c] || constraints.is_constrained(slave[c]))
         continue;
-      constraints.add_line(pair.plus[c]);
-      constraints.add_entry(pair.plus[c], pair.minus[c], 1);
+      // n.(u+ - u-) = 0, which the two sides enter with opposite signs.
+      constraints.add_line(slave[c]);
+      constraints.add_entry(slave[c], master[c], 1);
       for (unsigned int other = 0; other < dim; ++other)
-        if (other != c && pair.normal[other] != 0)
+        if (other != c && normal[other] != 0)
           {
-            const double slope = pair.normal[other] / pair.normal[c];
-            constraints.add_entry(pair.plus[c], pair.plus[other], -slope);
-            constraints.add_entry(pair.plus[c], pair.minus[other], slope);
+            const double slope = normal[other] / normal[c];
+            constraints.add_entry(slave[c], slave[other], -slope);
+            constraints.add_entry(slave[c], master[other], slope);
           }
     }
 }
@@ -143,19 +194,31 @@ Seam<dim>::add_constraints(AffineConstraints<double> &constraints) const
 
 template <int dim>
 LA::Vector
-Seam<dim>::opening(const Discretization<dim> &discretization,
-                   const double thickness) const
+Seam<dim>::opening(const ElasticModel<dim> &model, const double thickness) const
 {
-  LA::Vector displacement = discretization.zero_vector();
+  // Pair by pair, since a node of an earlier pair may have moved already.
+  std::map<types::global_dof_index, double> moved;
   for (unsigned int p = 0; p < node_pairs.size(); ++p)
     {
       const NodePair<dim> &pair = node_pairs[p];
       const unsigned int c      = normal_component(p);
-      if (states[p] == State::opened && pair.is_double() &&
-          !pair.supported[c] && discretization.owned.is_element(pair.plus[c]))
-        displacement(pair.plus[c]) = thickness / pair.normal[c];
+      if (states[p] != State::opened || dependent_sides[p] == Dependent::none ||
+          pair.supported[c])
+        continue;
+      double missing = thickness;
+      for (unsigned int d = 0; d < dim; ++d)
+        missing -=
+          pair.normal[d] * (moved[pair.plus[d]] - moved[pair.minus[d]]);
+      moved[dependent(p)[c]] +=
+        (dependent_sides[p] == Dependent::plus ? 1 : -1) * missing /
+        pair.normal[c];
     }
+  LA::Vector displacement = model.discretization.zero_vector();
+  for (const auto &[index, value] : moved)
+    if (value != 0 && model.discretization.owned.is_element(index))
+      displacement(index) = value;
   displacement.compress(VectorOperation::insert);
+  model.hanging.distribute(displacement);
   return displacement;
 }
 

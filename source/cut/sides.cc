@@ -1,3 +1,4 @@
+#include <setsudan/body/face_index.h>
 #include <setsudan/cut/sides.h>
 
 #include <deque>
@@ -30,7 +31,8 @@ find_sides(const CoarseMesh<dim> &split, const CutSurface<dim> &surface)
       const unsigned int element = front.front();
       front.pop_front();
       for (const unsigned int neighbor : neighbors[element])
-        reach(neighbor, side[element]);
+        if (neighbor != numbers::invalid_unsigned_int)
+          reach(neighbor, side[element]);
     }
   return side;
 }

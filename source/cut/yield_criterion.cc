@@ -69,7 +69,10 @@ front_stresses(const ElasticModel<dim> &model,
               if (!evaluated)
                 recovery.reinit(cell, displacement);
               evaluated = true;
-              stresses.push_back(model.material.stress(recovery.strain(node)));
+              const auto &material =
+                model.materials.of_element(discretization.element(cell));
+              stresses.push_back({material.hooke.stress(recovery.strain(node)),
+                                  material.shear_limit});
             }
       }
   return stresses;
@@ -77,13 +80,39 @@ front_stresses(const ElasticModel<dim> &model,
 
 
 
-double
-cutting_stress(const FrontStresses &stresses, const MPI_Comm communicator)
+bool
+CuttingStress::yields() const
+{
+  return reached > required || required == 0;
+}
+
+
+
+CuttingStress
+cutting_stress(const FrontStresses &stresses,
+               const double sharpness,
+               const MPI_Comm communicator)
 {
   double largest = 0;
-  for (const auto &stress : stresses)
-    largest = std::max(largest, maximum_shear(stress));
-  return Utilities::MPI::max(largest, communicator);
+  CuttingStress decisive;
+  for (const auto &[stress, shear_limit] : stresses)
+    {
+      const double shear    = maximum_shear(stress);
+      const double required = required_stress(shear_limit, sharpness);
+      const double ratio    = shear / shear_limit;
+      if (ratio > largest || (ratio == largest && shear >= decisive.reached))
+        {
+          largest  = ratio;
+          decisive = {shear, required};
+        }
+    }
+  // Of the processes with the largest ratio: they have the same material, or
+  // it does not matter which.
+  const double of_all = Utilities::MPI::max(largest, communicator);
+  if (stresses.empty() || largest < of_all)
+    decisive = {0, 0};
+  return {Utilities::MPI::max(decisive.reached, communicator),
+          Utilities::MPI::max(decisive.required, communicator)};
 }
 
 
@@ -96,41 +125,37 @@ required_stress(const double shear_limit, const double sharpness)
 
 
 
-bool
-yields(const double cutting_stress, const double required_stress)
-{
-  return cutting_stress > required_stress || required_stress == 0;
-}
-
-
-
 YieldLoad
 find_yield_load(const FrontStresses &base,
                 const FrontStresses &per_load,
-                const double required,
+                const double sharpness,
                 const double max_load_factor,
                 const MPI_Comm communicator)
 {
   const auto stress_at = [&](const double factor) {
     FrontStresses stresses = base;
     for (unsigned int i = 0; i < stresses.size(); ++i)
-      stresses[i] += factor * per_load[i];
-    return cutting_stress(stresses, communicator);
+      stresses[i].stress += factor * per_load[i].stress;
+    return cutting_stress(stresses, sharpness, communicator);
   };
-  const double at_rest = stress_at(0);
-  if (yields(at_rest, required))
+  // Above 0 where the row yields.
+  const auto excess = [](const CuttingStress &stress) {
+    return stress.reached / stress.required - 1;
+  };
+  const CuttingStress at_rest = stress_at(0);
+  if (at_rest.yields())
     return {0, at_rest, true};
-  const double at_most = stress_at(max_load_factor);
-  if (!yields(at_most, required))
+  const CuttingStress at_most = stress_at(max_load_factor);
+  if (!at_most.yields())
     return {max_load_factor, at_most, false};
 
   boost::uintmax_t max_iterations = 200;
   const auto bracket              = boost::math::tools::toms748_solve(
-    [&](const double factor) { return stress_at(factor) - required; },
+    [&](const double factor) { return excess(stress_at(factor)); },
     0.,
     max_load_factor,
-    at_rest - required,
-    at_most - required,
+    excess(at_rest),
+    excess(at_most),
     boost::math::tools::eps_tolerance<double>(52),
     max_iterations);
   return {bracket.second, stress_at(bracket.second), true};

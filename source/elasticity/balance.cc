@@ -8,27 +8,32 @@ using namespace dealii;
 
 template <int dim>
 BodyBalance<dim>
-check_balance(const Discretization<dim> &discretization,
-              const IndexSet &supported,
+check_balance(const ElasticModel<dim> &model,
               const LA::Vector &internal,
-              const LA::Vector &loads,
               const LA::Vector &applied,
               const std::vector<PointForce<dim>> &blade)
 {
+  const auto &discretization  = model.discretization;
   const MPI_Comm communicator = discretization.communicator;
+  LA::Vector held             = internal;
+  held -= applied;
+  held = condense(model.hanging, held);
+
   Resultant<dim> resultant(discretization);
   BodyBalance<dim> balance;
-  const auto sites   = discretization.sites();
+  const auto &sites  = discretization.sites();
   unsigned int local = 0;
   for (const auto index : discretization.owned)
     {
       const auto &[position, component] = sites[local++];
       Tensor<1, dim> force;
-      force[component] = loads(index);
-      if (supported.is_element(index))
+      force[component] = model.loads(index);
+      if (model.supported.is_element(index))
         {
-          force[component] += internal(index) - applied(index);
-          balance.reaction[component] += internal(index) - applied(index);
+          force[component] += held(index);
+          (model.prescribed(index) == 0 ? balance.reaction
+                                        : balance.clamp_force)[component] +=
+            held(index);
         }
       if (force[component] != 0)
         resultant.add(position, force);
@@ -38,23 +43,20 @@ check_balance(const Discretization<dim> &discretization,
       resultant.add(point, force);
   resultant.sum_over_processes();
   static_cast<Balance &>(balance) = resultant.relative();
-  balance.reaction = Utilities::MPI::sum(balance.reaction, communicator);
+  balance.reaction    = Utilities::MPI::sum(balance.reaction, communicator);
+  balance.clamp_force = Utilities::MPI::sum(balance.clamp_force, communicator);
   return balance;
 }
 
 
 
 template BodyBalance<2>
-check_balance(const Discretization<2> &,
-              const IndexSet &,
-              const LA::Vector &,
+check_balance(const ElasticModel<2> &,
               const LA::Vector &,
               const LA::Vector &,
               const std::vector<PointForce<2>> &);
 template BodyBalance<3>
-check_balance(const Discretization<3> &,
-              const IndexSet &,
-              const LA::Vector &,
+check_balance(const ElasticModel<3> &,
               const LA::Vector &,
               const LA::Vector &,
               const std::vector<PointForce<3>> &);

@@ -1,6 +1,8 @@
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_fe_field.h>
+#include <deal.II/fe/mapping_q.h>
 
+#include <setsudan/body/geometry.h>
 #include <setsudan/elasticity/discretization.h>
 #include <setsudan/element/fe_q_serendipity.h>
 
@@ -10,17 +12,73 @@ using namespace dealii;
 
 template <int dim>
 Discretization<dim>::Discretization(const CoarseMesh<dim> &mesh,
+                                    const Refinement &refinement,
                                     const MPI_Comm communicator)
   : communicator(communicator)
-  , mapping(1)
   , fe(FE_Q_Serendipity<dim>(), dim)
   , triangulation(communicator)
   , dof_handler(triangulation)
+  , mesh(mesh)
 {
   create_triangulation(mesh, triangulation);
+  refine<dim>(triangulation, refinement);
   dof_handler.distribute_dofs(fe);
   owned = dof_handler.locally_owned_dofs();
   DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  make_mapping();
+  find_sites();
+}
+
+
+
+template <int dim>
+void
+Discretization<dim>::make_mapping()
+{
+  if (!mesh.is_curved())
+    {
+      shape = std::make_unique<MappingQ<dim>>(1);
+      return;
+    }
+  LA::Vector own = zero_vector();
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const auto nodes     = node_indices(cell);
+        const auto of_corner = mesh.node_positions(element(cell));
+        const auto points    = points_in_element(cell);
+        for (unsigned int node = 0; node < nodes.size(); ++node)
+          if (owned.is_element(nodes[node][0]))
+            {
+              const Point<dim> position =
+                cell->level() == 0 ? of_corner[node]
+                                   : point_of_element(of_corner, points[node]);
+              for (unsigned int c = 0; c < dim; ++c)
+                own(nodes[node][c]) = position[c];
+            }
+      }
+  own.compress(VectorOperation::insert);
+  positions = with_ghosts(own);
+  shape = std::make_unique<MappingFEField<dim, dim, LA::Vector>>(dof_handler,
+                                                                 positions);
+}
+
+
+
+template <int dim>
+bool
+Discretization<dim>::is_curved() const
+{
+  return mesh.is_curved();
+}
+
+
+
+template <int dim>
+const Mapping<dim> &
+Discretization<dim>::mapping() const
+{
+  return *shape;
 }
 
 
@@ -33,6 +91,43 @@ Discretization<dim>::element(const Cell &cell) const
   while (ancestor->level() > 0)
     ancestor = ancestor->parent();
   return ancestor->index();
+}
+
+
+
+template <int dim>
+std::array<Point<dim>, n_element_nodes<dim>>
+Discretization<dim>::points_in_element(const Cell &cell) const
+{
+  const CellPath path = path_of_cell<dim>(cell);
+  std::array<Point<dim>, n_element_nodes<dim>> points;
+  for (unsigned int node = 0; node < points.size(); ++node)
+    points[node] = point_in_element<dim>(path, unit_point_of_node<dim>(node));
+  return points;
+}
+
+
+
+template <int dim>
+ElementNodes<dim>
+Discretization<dim>::node_positions(const Cell &cell) const
+{
+  ElementNodes<dim> result;
+  if (mesh.is_curved())
+    {
+      const auto nodes = node_indices(cell);
+      for (unsigned int node = 0; node < result.size(); ++node)
+        for (unsigned int c = 0; c < dim; ++c)
+          result[node][c] = positions(nodes[node][c]);
+    }
+  else
+    for (unsigned int node = 0; node < result.size(); ++node)
+      {
+        const auto ends = vertices_of_node<dim>(node);
+        const auto &a   = cell->vertex(ends[0]);
+        result[node]    = a + 0.5 * (cell->vertex(ends[1]) - a);
+      }
+  return result;
 }
 
 
@@ -73,56 +168,34 @@ Discretization<dim>::with_ghosts(const LA::Vector &vector) const
 
 
 template <int dim>
-std::vector<typename Discretization<dim>::Site>
-Discretization<dim>::sites() const
+void
+Discretization<dim>::find_sites()
 {
-  std::vector<Site> sites(owned.n_elements());
+  all_sites.resize(owned.n_elements());
   for (const auto &cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
         const auto nodes = node_indices(cell);
+        const auto where = node_positions(cell);
         for (unsigned int node = 0; node < nodes.size(); ++node)
-          {
-            const Point<dim> position = mapping.transform_unit_to_real_cell(
-              cell, unit_point_of_node<dim>(node));
-            for (unsigned int c = 0; c < dim; ++c)
-              if (owned.is_element(nodes[node][c]))
-                sites[owned.index_within_set(nodes[node][c])] = {position, c};
-          }
+          for (unsigned int c = 0; c < dim; ++c)
+            if (owned.is_element(nodes[node][c]))
+              all_sites[owned.index_within_set(nodes[node][c])] = {where[node],
+                                                                   c};
       }
-  return sites;
 }
 
 
 
 template <int dim>
-void
-constrain_supports(const Discretization<dim> &discretization,
-                   const Supports<dim> &supports,
-                   AffineConstraints<double> &constraints)
+const std::vector<typename Discretization<dim>::Site> &
+Discretization<dim>::sites() const
 {
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (!cell->is_artificial())
-      {
-        const unsigned int element = discretization.element(cell);
-        const auto nodes           = discretization.node_indices(cell);
-        for (unsigned int node = 0; node < nodes.size(); ++node)
-          if (supports.is_fixed(element, node))
-            for (const auto index : nodes[node])
-              constraints.add_line(index);
-      }
+  return all_sites;
 }
 
 
 
 template class Discretization<2>;
 template class Discretization<3>;
-template void
-constrain_supports(const Discretization<2> &,
-                   const Supports<2> &,
-                   AffineConstraints<double> &);
-template void
-constrain_supports(const Discretization<3> &,
-                   const Supports<3> &,
-                   AffineConstraints<double> &);
 } // namespace Setsudan

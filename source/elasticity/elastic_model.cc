@@ -1,3 +1,5 @@
+#include <deal.II/dofs/dof_tools.h>
+
 #include <setsudan/elasticity/elastic_model.h>
 
 namespace Setsudan
@@ -6,24 +8,71 @@ using namespace dealii;
 
 template <int dim>
 ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
+                                const Refinement &refinement,
                                 const Body<dim> &body,
                                 const Supports<dim> &supports_of_body,
                                 const LoadParameters<dim> &load_parameters,
-                                const Hooke &material,
+                                const MaterialParameters<dim> &materials,
                                 const MPI_Comm communicator)
-  : material(material)
-  , discretization(mesh, communicator)
-  , stiffness(discretization, material)
+  : materials(materials)
+  , discretization(mesh, refinement, communicator)
+  , stiffness(discretization, materials)
+  , hanging(discretization.relevant)
   , supports(discretization.relevant)
   , supported(discretization.dof_handler.n_dofs())
+  , prescribed(discretization.zero_vector())
   , loads(assemble_loads(discretization, load_parameters, body))
 {
-  constrain_supports(discretization, supports_of_body, supports);
+  if (!refinement.refined.empty())
+    DoFTools::make_hanging_node_constraints(discretization.dof_handler,
+                                            hanging);
+  hanging.close();
+  constrain_supports(supports_of_body);
+}
+
+
+
+template <int dim>
+void
+ElasticModel<dim>::constrain_supports(const Supports<dim> &supports_of_body)
+{
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (!cell->is_artificial())
+      {
+        const unsigned int element = discretization.element(cell);
+        const auto nodes           = discretization.node_indices(cell);
+        const auto points          = discretization.points_in_element(cell);
+        for (unsigned int node = 0; node < nodes.size(); ++node)
+          {
+            const auto support = supports_of_body.at(element, points[node]);
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const auto index = nodes[node][c];
+                if (!support.components[c] || hanging.is_constrained(index))
+                  continue;
+                supports.add_line(index);
+                if (support.displacement[c] != 0 &&
+                    discretization.owned.is_element(index))
+                  prescribed(index) = support.displacement[c];
+              }
+          }
+      }
   supports.close();
+  prescribed.compress(VectorOperation::insert);
+  hanging.distribute(prescribed);
   for (const auto index : discretization.owned)
     if (supports.is_constrained(index))
       supported.add_index(index);
   supported.compress();
+}
+
+
+
+template <int dim>
+const Hooke &
+ElasticModel<dim>::hooke(const typename Discretization<dim>::Cell &cell) const
+{
+  return materials.of_element(discretization.element(cell)).hooke;
 }
 
 

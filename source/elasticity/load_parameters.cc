@@ -1,3 +1,5 @@
+#include <setsudan/body/face_index.h>
+#include <setsudan/body/support_parameters.h>
 #include <setsudan/elasticity/loads.h>
 #include <setsudan/parameters/lists.h>
 
@@ -22,15 +24,15 @@ LoadParameters<dim>::declare(ParameterHandler &handler)
                     "Pressures",
                     "",
                     Patterns::Anything(),
-                    "Pressures on faces of the body, positive into it, as "
-                    "'face : pressure', separated by ';' [force/area].");
+                    "Pressures on the body's surface, positive into it, as "
+                    "'group : pressure', separated by ';' [force/area].");
   Setsudan::declare(handler,
                     "Load",
                     "Tractions",
                     "",
                     Patterns::Anything(),
-                    "Forces per area on faces, as 'face : " + components +
-                      "', separated by ';' [force/area].");
+                    "Forces per area of the surface, as 'group : " +
+                      components + "', separated by ';' [force/area].");
   Setsudan::declare(handler,
                     "Load",
                     "Nodal forces",
@@ -83,18 +85,34 @@ to_tensor(const std::vector<double> &values)
 
 
 
+/** The faces of the body's surface that a group holds. */
 template <int dim>
-types::boundary_id
-face_of(const Parameters &parameters,
-        const std::string &name,
-        const std::string &face)
+std::vector<CellFace>
+faces_of_word(const Parameters &parameters,
+              const Body<dim> &body,
+              const std::string &name,
+              const std::string &word)
 {
-  types::boundary_id id;
-  parameters.require(find_face<dim>(face, id),
+  std::vector<CellFace> faces;
+  const FaceIndex<dim> index(body.mesh);
+  for (const Group *group :
+       groups_of_word(parameters, "Load", name, body, word))
+    for (const auto &entity : group->entities)
+      {
+        const auto cells = index.find(entity);
+        parameters.require(cells.size() == 1,
+                           "Load",
+                           name,
+                           "values for groups of the body's surface, and '" +
+                             word + "' is no part of it");
+        faces.push_back(cells[0]);
+      }
+  parameters.require(!faces.empty(),
                      "Load",
                      name,
-                     "values for the faces " + face_names<dim>());
-  return id;
+                     "values for groups of the body's surface, and '" + word +
+                       "' holds elements");
+  return faces;
 }
 } // namespace
 
@@ -106,25 +124,27 @@ LoadParameters<dim>::LoadParameters(const Parameters &parameters,
   const std::string components = std::to_string(dim) + " components";
   if (!parameters.text("Load", "Body force").empty())
     body_force = to_tensor<dim>(parameters.numbers("Load", "Body force", dim));
-  for (const auto &[face, values] :
-       read_items(parameters, "Pressures", 1, "'face : pressure'"))
-    pressures[face_of<dim>(parameters, "Pressures", face)] = values[0];
-  for (const auto &[face, values] :
-       read_items(parameters, "Tractions", dim, "'face : " + components + "'"))
-    tractions[face_of<dim>(parameters, "Tractions", face)] =
-      to_tensor<dim>(values);
+  for (const auto &[word, values] :
+       read_items(parameters, "Pressures", 1, "'group : pressure'"))
+    for (const auto &face : faces_of_word(parameters, body, "Pressures", word))
+      surface_loads[face].pressure += values[0];
+  for (const auto &[word, values] :
+       read_items(parameters, "Tractions", dim, "'group : " + components + "'"))
+    for (const auto &face : faces_of_word(parameters, body, "Tractions", word))
+      surface_loads[face].traction += to_tensor<dim>(values);
   for (const auto &[node, values] : read_items(
          parameters, "Nodal forces", dim, "'node number : " + components + "'"))
     {
       std::vector<double> number;
       parameters.require(parse_numbers(node, number) && number.size() == 1 &&
                            number[0] >= 0 &&
-                           number[0] < body.numbering.n_nodes() &&
-                           number[0] == static_cast<unsigned int>(number[0]),
+                           number[0] == static_cast<unsigned int>(number[0]) &&
+                           body.has_node(static_cast<unsigned int>(number[0])),
                          "Load",
                          "Nodal forces",
-                         "forces on node numbers from 0 to " +
-                           std::to_string(body.numbering.n_nodes() - 1));
+                         body.box ? "forces on node numbers from 0 to " +
+                                      std::to_string(body.n_nodes() - 1)
+                                  : "forces on node numbers of the file");
       const auto inserted = nodal_forces.emplace(
         static_cast<unsigned int>(number[0]), to_tensor<dim>(values));
       parameters.require(
@@ -138,8 +158,7 @@ template <int dim>
 bool
 LoadParameters<dim>::empty() const
 {
-  return body_force == Force() && pressures.empty() && tractions.empty() &&
-         nodal_forces.empty();
+  return body_force == Force() && surface_loads.empty() && nodal_forces.empty();
 }
 
 

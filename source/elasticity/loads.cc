@@ -38,11 +38,11 @@ add_distributed_loads(const Discretization<dim> &discretization,
                       const LoadParameters<dim> &loads,
                       LA::Vector &forces)
 {
-  FEValues<dim> fe_values(discretization.mapping,
+  FEValues<dim> fe_values(discretization.mapping(),
                           discretization.fe,
                           QGauss<dim>(3),
                           update_values | update_JxW_values);
-  FEFaceValues<dim> face_values(discretization.mapping,
+  FEFaceValues<dim> face_values(discretization.mapping(),
                                 discretization.fe,
                                 QGauss<dim - 1>(3),
                                 update_values | update_JxW_values |
@@ -64,22 +64,17 @@ add_distributed_loads(const Discretization<dim> &discretization,
         for (const unsigned int face : cell->face_indices())
           if (cell->face(face)->at_boundary())
             {
-              const auto id       = cell->face(face)->boundary_id();
-              const auto pressure = loads.pressures.find(id);
-              const auto traction = loads.tractions.find(id);
-              if (pressure == loads.pressures.end() &&
-                  traction == loads.tractions.end())
+              // A face of the surface keeps its number in refined cells.
+              const auto load =
+                loads.surface_loads.find({discretization.element(cell), face});
+              if (load == loads.surface_loads.end())
                 continue;
               face_values.reinit(cell, face);
               add_density<dim>(
                 face_values,
                 [&](const unsigned int q) {
-                  Tensor<1, dim> density;
-                  if (pressure != loads.pressures.end())
-                    density -= pressure->second * face_values.normal_vector(q);
-                  if (traction != loads.tractions.end())
-                    density += traction->second;
-                  return density;
+                  return load->second.traction -
+                         load->second.pressure * face_values.normal_vector(q);
                 },
                 cell_forces);
             }
@@ -90,7 +85,35 @@ add_distributed_loads(const Discretization<dim> &discretization,
 
 
 
-/** Add the forces on nodes: every element that has the node gives its share. */
+/** Call `action` for each loaded node of each cell of this process. */
+template <int dim, typename Action>
+void
+for_each_loaded_node(const Discretization<dim> &discretization,
+                     const LoadParameters<dim> &loads,
+                     const Body<dim> &body,
+                     const Action &action)
+{
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const unsigned int element = discretization.element(cell);
+        const auto points          = discretization.points_in_element(cell);
+        const auto nodes           = discretization.node_indices(cell);
+        for (unsigned int node = 0; node < nodes.size(); ++node)
+          {
+            const auto of_body = node_at(points[node]);
+            if (!of_body)
+              continue;
+            const unsigned int number = body.node_numbers[element][*of_body];
+            if (loads.nodal_forces.count(number) > 0)
+              action(number, nodes[node]);
+          }
+      }
+}
+
+
+
+/** Add the forces on nodes: every cell that has the node gives its share. */
 template <int dim>
 void
 add_nodal_forces(const Discretization<dim> &discretization,
@@ -98,33 +121,30 @@ add_nodal_forces(const Discretization<dim> &discretization,
                  const Body<dim> &body,
                  LA::Vector &forces)
 {
-  std::map<unsigned int, unsigned int> n_elements;
-  for (unsigned int element = 0; element < body.mesh.cells.size(); ++element)
-    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
-      {
-        const unsigned int number = body.numbering.node_number(element, node);
-        if (loads.nodal_forces.count(number) > 0)
-          ++n_elements[number];
-      }
+  using NodeIndices = typename Discretization<dim>::NodeIndices;
+  std::map<unsigned int, unsigned int> n_cells;
+  for (const auto &[number, force] : loads.nodal_forces)
+    n_cells[number] = 0;
+  for_each_loaded_node<dim>(
+    discretization,
+    loads,
+    body,
+    [&](const unsigned int number, const NodeIndices &) { ++n_cells[number]; });
+  for (auto &[number, n] : n_cells)
+    n = Utilities::MPI::sum(n, discretization.communicator);
 
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        const unsigned int element = discretization.element(cell);
-        const auto nodes           = discretization.node_indices(cell);
-        for (unsigned int node = 0; node < nodes.size(); ++node)
-          {
-            const unsigned int number =
-              body.numbering.node_number(element, node);
-            const auto load = loads.nodal_forces.find(number);
-            if (load != loads.nodal_forces.end())
-              for (unsigned int c = 0; c < dim; ++c)
-                {
-                  const double share = load->second[c] / n_elements.at(number);
-                  forces.add(1, &nodes[node][c], &share);
-                }
-          }
-      }
+  for_each_loaded_node<dim>(
+    discretization,
+    loads,
+    body,
+    [&](const unsigned int number, const NodeIndices &node) {
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double share =
+            loads.nodal_forces.at(number)[c] / n_cells.at(number);
+          forces.add(1, &node[c], &share);
+        }
+    });
 }
 } // namespace
 

@@ -30,7 +30,7 @@ find_loose_pieces(const CoarseMesh<dim> &mesh,
       for (const unsigned int vertex : vertices)
         candidates.push_back(mesh.vertices[vertex]);
       LoosePiece result{
-        piece, find_minimal_hold(supports.fixed_points(elements), candidates)};
+        piece, find_minimal_hold(supports.held_points(elements), candidates)};
       for (auto &component : result.hold)
         component.first = vertices[component.first];
       if (!result.hold.empty())
@@ -48,7 +48,7 @@ check_loads_on_loose_piece(const ElasticModel<dim> &model,
                            const LoosePiece &loose)
 {
   const auto &discretization = model.discretization;
-  const auto sites           = discretization.sites();
+  const auto &sites          = discretization.sites();
   std::set<types::global_dof_index> own;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned() &&
@@ -76,32 +76,89 @@ check_loads_on_loose_piece(const ElasticModel<dim> &model,
                  "equilibrium (relative residual of force "
               << balance.force_residual << ", of moment "
               << balance.moment_residual
-              << "): nothing keeps it in place. Support it with Support/Fixed "
-                 "faces or Fixed nodes, or remove the loads.";
+              << "): nothing keeps it in place. Hold it in subsection Support, "
+                 "remove the loads, or set Support/Loose pieces = drop.";
       throw std::runtime_error(message.str());
     }
 }
 
 
 
+namespace
+{
+/** Call `action` for each cell of a piece that this process knows. */
+template <int dim, typename Action>
+void
+for_each_cell(const Discretization<dim> &discretization,
+              const std::vector<unsigned int> &pieces,
+              const LoosePiece &loose,
+              const Action &action)
+{
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (!cell->is_artificial() &&
+        pieces[discretization.element(cell)] == loose.piece)
+      action(cell);
+}
+} // namespace
+
+
 template <int dim>
 void
 constrain_loose_piece(const Discretization<dim> &discretization,
                       const CoarseMesh<dim> &mesh,
+                      const std::vector<unsigned int> &pieces,
                       const LoosePiece &loose,
                       AffineConstraints<double> &constraints)
 {
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (!cell->is_artificial())
-      {
-        const auto &vertices =
-          mesh.cells[discretization.element(cell)].vertices;
-        const auto nodes = discretization.node_indices(cell);
-        for (const auto &[vertex, component] : loose.hold)
-          for (unsigned int v = 0; v < vertices.size(); ++v)
-            if (vertices[v] == vertex)
-              constraints.add_line(nodes[v][component]);
-      }
+  for_each_cell<dim>(discretization, pieces, loose, [&](const auto &cell) {
+    const auto &vertices = mesh.cells[discretization.element(cell)].vertices;
+    const auto points    = discretization.points_in_element(cell);
+    const auto nodes     = discretization.node_indices(cell);
+    for (const auto &[vertex, component] : loose.hold)
+      for (unsigned int v = 0; v < vertices.size(); ++v)
+        if (vertices[v] == vertex &&
+            points[v] == GeometryInfo<dim>::unit_cell_vertex(v))
+          constraints.add_line(nodes[v][component]);
+  });
+}
+
+
+
+template <int dim>
+void
+constrain_dropped_piece(const Discretization<dim> &discretization,
+                        const std::vector<unsigned int> &pieces,
+                        const LoosePiece &loose,
+                        AffineConstraints<double> &constraints)
+{
+  for_each_cell<dim>(discretization, pieces, loose, [&](const auto &cell) {
+    for (const auto &node : discretization.node_indices(cell))
+      for (const auto index : node)
+        if (!constraints.is_constrained(index))
+          constraints.add_line(index);
+  });
+}
+
+
+
+template <int dim>
+void
+remove_loads_from_piece(const std::vector<unsigned int> &pieces,
+                        const LoosePiece &loose,
+                        ElasticModel<dim> &model)
+{
+  for_each_cell<dim>(
+    model.discretization, pieces, loose, [&](const auto &cell) {
+      for (const auto &node : model.discretization.node_indices(cell))
+        for (const auto index : node)
+          if (model.discretization.owned.is_element(index))
+            {
+              model.loads(index)      = 0;
+              model.prescribed(index) = 0;
+            }
+    });
+  model.loads.compress(VectorOperation::insert);
+  model.prescribed.compress(VectorOperation::insert);
 }
 
 
@@ -125,11 +182,31 @@ check_loads_on_loose_piece(const ElasticModel<3> &,
 template void
 constrain_loose_piece(const Discretization<2> &,
                       const CoarseMesh<2> &,
+                      const std::vector<unsigned int> &,
                       const LoosePiece &,
                       AffineConstraints<double> &);
 template void
+constrain_dropped_piece(const Discretization<2> &,
+                        const std::vector<unsigned int> &,
+                        const LoosePiece &,
+                        AffineConstraints<double> &);
+template void
+remove_loads_from_piece(const std::vector<unsigned int> &,
+                        const LoosePiece &,
+                        ElasticModel<2> &);
+template void
 constrain_loose_piece(const Discretization<3> &,
                       const CoarseMesh<3> &,
+                      const std::vector<unsigned int> &,
                       const LoosePiece &,
                       AffineConstraints<double> &);
+template void
+constrain_dropped_piece(const Discretization<3> &,
+                        const std::vector<unsigned int> &,
+                        const LoosePiece &,
+                        AffineConstraints<double> &);
+template void
+remove_loads_from_piece(const std::vector<unsigned int> &,
+                        const LoosePiece &,
+                        ElasticModel<3> &);
 } // namespace Setsudan

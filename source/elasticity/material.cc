@@ -4,62 +4,6 @@ namespace Setsudan
 {
 using namespace dealii;
 
-void
-MaterialParameters::declare(ParameterHandler &handler)
-{
-  Setsudan::declare(handler,
-                    "Material",
-                    "Young's modulus",
-                    "5.0",
-                    Patterns::Double(),
-                    "E, greater than 0 [force/area].");
-  Setsudan::declare(handler,
-                    "Material",
-                    "Poisson's ratio",
-                    "0.2",
-                    Patterns::Double(),
-                    "Between -1 and 1/2, both excluded [-].");
-  Setsudan::declare(handler,
-                    "Material",
-                    "Shear limit",
-                    "1.0",
-                    Patterns::Double(),
-                    "The shear stress at which a blade of sharpness 0 divides "
-                    "the body, greater than 0 [force/area].");
-  Setsudan::declare(handler,
-                    "Material",
-                    "Linear range",
-                    "0.5",
-                    Patterns::Double(),
-                    "Largest principal strain, in magnitude, up to which the "
-                    "linear theory is trusted; beyond it the program warns. "
-                    "Greater than 0 [-].");
-}
-
-
-
-MaterialParameters::MaterialParameters(const Parameters &parameters)
-  : youngs_modulus(parameters.number("Material", "Young's modulus"))
-  , poissons_ratio(parameters.number("Material", "Poisson's ratio"))
-  , shear_limit(parameters.number("Material", "Shear limit"))
-  , linear_range(parameters.number("Material", "Linear range"))
-{
-  parameters.require(youngs_modulus > 0,
-                     "Material",
-                     "Young's modulus",
-                     "a number greater than 0");
-  parameters.require(poissons_ratio > -1 && poissons_ratio < 0.5,
-                     "Material",
-                     "Poisson's ratio",
-                     "a number greater than -1 and less than 0.5");
-  parameters.require(
-    shear_limit > 0, "Material", "Shear limit", "a number greater than 0");
-  parameters.require(
-    linear_range > 0, "Material", "Linear range", "a number greater than 0");
-}
-
-
-
 Hooke::Hooke(const double youngs_modulus, const double poissons_ratio)
   : lambda(youngs_modulus * poissons_ratio /
            ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)))

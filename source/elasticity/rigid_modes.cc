@@ -82,7 +82,7 @@ private:
  * to be stopped. */
 template <int dim>
 std::vector<PointComponent>
-hold_greedily(const std::vector<Point<dim>> &points,
+hold_greedily(const std::vector<HeldPoint<dim>> &points,
               HeldMotions<dim> &held_motions)
 {
   std::vector<PointComponent> hold;
@@ -92,15 +92,17 @@ hold_greedily(const std::vector<Point<dim>> &points,
       PointComponent best_component;
       for (unsigned int p = 0; p < points.size(); ++p)
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            const auto motion = held_motions.unheld_part(points[p], c);
-            // A clear winner only, so that round-off does not choose.
-            if (motion.norm() > best.norm() * (1 + 1e-10))
-              {
-                best           = motion;
-                best_component = {p, c};
-              }
-          }
+          if (points[p].components[c])
+            {
+              const auto motion =
+                held_motions.unheld_part(points[p].position, c);
+              // A clear winner only, so that round-off does not choose.
+              if (motion.norm() > best.norm() * (1 + 1e-10))
+                {
+                  best           = motion;
+                  best_component = {p, c};
+                }
+            }
       if (best.norm() < 1e-8)
         break;
       held_motions.hold(best);
@@ -113,7 +115,7 @@ hold_greedily(const std::vector<Point<dim>> &points,
 
 template <int dim>
 std::vector<PointComponent>
-find_minimal_hold(const std::vector<Point<dim>> &fixed,
+find_minimal_hold(const std::vector<HeldPoint<dim>> &held,
                   const std::vector<Point<dim>> &candidates)
 {
   const BoundingBox<dim> box(candidates);
@@ -121,8 +123,11 @@ find_minimal_hold(const std::vector<Point<dim>> &fixed,
   for (unsigned int d = 0; d < dim; ++d)
     length = std::max(length, box.side_length(d));
   HeldMotions<dim> held_motions(box.center(), length / 2);
-  hold_greedily(fixed, held_motions);
-  return hold_greedily(candidates, held_motions);
+  hold_greedily(held, held_motions);
+  std::vector<HeldPoint<dim>> free;
+  for (const auto &candidate : candidates)
+    free.push_back({candidate, std::bitset<dim>().set()});
+  return hold_greedily(free, held_motions);
 }
 
 
@@ -132,7 +137,9 @@ rigid_modes(const Point<2> &, const Point<2> &, const double);
 template std::array<Tensor<1, 3>, 6>
 rigid_modes(const Point<3> &, const Point<3> &, const double);
 template std::vector<PointComponent>
-find_minimal_hold(const std::vector<Point<2>> &, const std::vector<Point<2>> &);
+find_minimal_hold(const std::vector<HeldPoint<2>> &,
+                  const std::vector<Point<2>> &);
 template std::vector<PointComponent>
-find_minimal_hold(const std::vector<Point<3>> &, const std::vector<Point<3>> &);
+find_minimal_hold(const std::vector<HeldPoint<3>> &,
+                  const std::vector<Point<3>> &);
 } // namespace Setsudan

@@ -15,9 +15,10 @@ using namespace dealii;
 template <int dim>
 ElementStiffness<dim>::ElementStiffness(
   const Discretization<dim> &discretization,
-  const Hooke &material)
-  : material(material)
-  , fe_values(discretization.mapping,
+  const MaterialParameters<dim> &materials)
+  : discretization(discretization)
+  , materials(materials)
+  , fe_values(discretization.mapping(),
               discretization.fe,
               QGauss<dim>(3),
               update_gradients | update_JxW_values)
@@ -31,8 +32,15 @@ template <int dim>
 const FullMatrix<double> &
 ElementStiffness<dim>::operator()(const Cell &cell)
 {
-  if (!has_last_shape(cell))
-    integrate(cell);
+  const unsigned int element  = discretization.element(cell);
+  const unsigned int material = materials.number(element);
+  auto shape                  = shape_of(cell);
+  if (!is_last(cell, shape, material))
+    {
+      integrate(cell, materials.of_element(element).hooke);
+      last_shape    = std::move(shape);
+      last_material = material;
+    }
   return matrix;
 }
 
@@ -48,16 +56,37 @@ ElementStiffness<dim>::n_integrations() const
 
 
 template <int dim>
-bool
-ElementStiffness<dim>::has_last_shape(const Cell &cell) const
+std::vector<Tensor<1, dim>>
+ElementStiffness<dim>::shape_of(const Cell &cell) const
 {
-  if (last_shape.empty())
+  std::vector<Tensor<1, dim>> shape;
+  if (discretization.is_curved())
+    {
+      const auto nodes = discretization.node_positions(cell);
+      for (const auto &node : nodes)
+        shape.push_back(node - nodes[0]);
+    }
+  else
+    for (const unsigned int v : cell->vertex_indices())
+      shape.push_back(cell->vertex(v) - cell->vertex(0));
+  return shape;
+}
+
+
+
+template <int dim>
+bool
+ElementStiffness<dim>::is_last(const Cell &cell,
+                               const std::vector<Tensor<1, dim>> &shape,
+                               const unsigned int material) const
+{
+  if (last_shape.empty() || material != last_material)
     return false;
   // The cells of a box differ by the round-off of their vertices' coordinates.
   const double tolerance = 16 * std::numeric_limits<double>::epsilon() *
                            (cell->vertex(0).norm() + cell->diameter());
-  for (const unsigned int v : cell->vertex_indices())
-    if ((cell->vertex(v) - cell->vertex(0) - last_shape[v]).norm() > tolerance)
+  for (unsigned int i = 0; i < shape.size(); ++i)
+    if ((shape[i] - last_shape[i]).norm() > tolerance)
       return false;
   return true;
 }
@@ -66,7 +95,7 @@ ElementStiffness<dim>::has_last_shape(const Cell &cell) const
 
 template <int dim>
 void
-ElementStiffness<dim>::integrate(const Cell &cell)
+ElementStiffness<dim>::integrate(const Cell &cell, const Hooke &material)
 {
   const FEValuesExtractors::Vector displacement(0);
   const unsigned int n = matrix.m();
@@ -91,10 +120,6 @@ ElementStiffness<dim>::integrate(const Cell &cell)
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < i; ++j)
       matrix(j, i) = matrix(i, j);
-
-  last_shape.resize(cell->n_vertices());
-  for (const unsigned int v : cell->vertex_indices())
-    last_shape[v] = cell->vertex(v) - cell->vertex(0);
   ++integrations;
 }
 

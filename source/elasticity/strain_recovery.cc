@@ -35,7 +35,7 @@ gauss_points()
 template <int dim>
 StrainRecovery<dim>::StrainRecovery(const Discretization<dim> &discretization,
                                     const Quadrature<dim> &points)
-  : fe_values(discretization.mapping,
+  : fe_values(discretization.mapping(),
               discretization.fe,
               points,
               update_gradients)
@@ -101,7 +101,7 @@ find_min_jacobian(const StrainRecovery<dim> &recovery, double &min_jacobian)
 template <int dim>
 DeformationExtremes
 find_extremes(const Discretization<dim> &discretization,
-              const Hooke &material,
+              const MaterialParameters<dim> &materials,
               const LA::Vector &displacement)
 {
   StrainRecovery<dim> at_nodes(discretization, node_points<dim>());
@@ -110,6 +110,8 @@ find_extremes(const Discretization<dim> &discretization,
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
+        const Hooke &material =
+          materials.of_element(discretization.element(cell)).hooke;
         at_nodes.reinit(cell, displacement);
         at_gauss_points.reinit(cell, displacement);
         find_min_jacobian(at_nodes, extremes.min_jacobian);
@@ -152,7 +154,11 @@ gauss_points();
 template class StrainRecovery<2>;
 template class StrainRecovery<3>;
 template DeformationExtremes
-find_extremes(const Discretization<2> &, const Hooke &, const LA::Vector &);
+find_extremes(const Discretization<2> &,
+              const MaterialParameters<2> &,
+              const LA::Vector &);
 template DeformationExtremes
-find_extremes(const Discretization<3> &, const Hooke &, const LA::Vector &);
+find_extremes(const Discretization<3> &,
+              const MaterialParameters<3> &,
+              const LA::Vector &);
 } // namespace Setsudan

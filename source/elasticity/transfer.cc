@@ -2,30 +2,75 @@
 
 #include <setsudan/elasticity/transfer.h>
 
+#include <algorithm>
+#include <map>
+
 namespace Setsudan
 {
 using namespace dealii;
 
 namespace
 {
-/** Call `action(place, index)` for every unknown of this process's cells, with
- * its place in a vector that holds the elements' values one by one. */
 template <int dim>
-void
-for_each_place(const Discretization<dim> &discretization,
-               const std::function<void(types::global_dof_index,
-                                        types::global_dof_index)> &action)
+using CellValues = std::array<double, n_element_nodes<dim> * dim>;
+
+/** The process at which a cell's values are left and asked for: the processes
+ * of the two meshes know nothing of each other's cells but their names. */
+unsigned int
+meeting_place(const CellPath &path, const MPI_Comm communicator)
 {
+  return path.element % Utilities::MPI::n_mpi_processes(communicator);
+}
+
+/** The values on the cells of this process. */
+template <int dim>
+std::map<unsigned int, std::vector<std::pair<CellPath, CellValues<dim>>>>
+collect_values(const Discretization<dim> &discretization,
+               const LA::Vector &displacement)
+{
+  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues<dim>>>>
+    values;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        types::global_dof_index place =
-          types::global_dof_index(discretization.element(cell)) *
-          n_element_nodes<dim> * dim;
+        CellValues<dim> of_cell;
+        unsigned int i = 0;
         for (const auto &node : discretization.node_indices(cell))
           for (const auto index : node)
-            action(place++, index);
+            of_cell[i++] = displacement(index);
+        const CellPath path = path_of_cell<dim>(cell);
+        values[meeting_place(path, discretization.communicator)].emplace_back(
+          path, of_cell);
       }
+  return values;
+}
+
+/** The values of the cells that each process asks for. */
+template <int dim>
+std::map<CellPath, CellValues<dim>>
+exchange(
+  const std::map<unsigned int,
+                 std::vector<std::pair<CellPath, CellValues<dim>>>> &values,
+  const std::map<unsigned int, std::vector<CellPath>> &wanted,
+  const MPI_Comm communicator)
+{
+  std::map<CellPath, CellValues<dim>> left_here;
+  for (const auto &[rank, cells] :
+       Utilities::MPI::some_to_some(communicator, values))
+    left_here.insert(cells.begin(), cells.end());
+
+  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues<dim>>>>
+    answers;
+  for (const auto &[rank, paths] :
+       Utilities::MPI::some_to_some(communicator, wanted))
+    for (const auto &path : paths)
+      answers[rank].emplace_back(path, left_here.at(path));
+
+  std::map<CellPath, CellValues<dim>> result;
+  for (const auto &[rank, cells] :
+       Utilities::MPI::some_to_some(communicator, answers))
+    result.insert(cells.begin(), cells.end());
+  return result;
 }
 } // namespace
 
@@ -36,32 +81,30 @@ transfer(const Discretization<dim> &from,
          const LA::Vector &displacement,
          const Discretization<dim> &to)
 {
-  const MPI_Comm communicator = from.communicator;
-  // The processes agree on the elements only, so the values travel by element:
-  // each process holds a range of them in between.
-  const types::global_dof_index n_values =
-    from.triangulation.n_global_active_cells() * n_element_nodes<dim> * dim;
-  const IndexSet range = Utilities::MPI::create_evenly_distributed_partitioning(
-    communicator, n_values);
-  LA::Vector by_element(range, communicator);
-  for_each_place<dim>(from, [&](const auto place, const auto index) {
-    const double value = displacement(index);
-    by_element.set(1, &place, &value);
-  });
-  by_element.compress(VectorOperation::insert);
-
-  IndexSet needed(n_values);
-  for_each_place<dim>(
-    to, [&](const auto place, const auto) { needed.add_index(place); });
-  needed.compress();
-  LA::Vector readable(range, needed, communicator);
-  readable = by_element;
+  std::map<unsigned int, std::vector<CellPath>> wanted;
+  for (const auto &cell : to.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const CellPath path = path_of_cell<dim>(cell);
+        wanted[meeting_place(path, to.communicator)].push_back(path);
+      }
+  const auto values =
+    exchange<dim>(collect_values(from, displacement), wanted, to.communicator);
 
   LA::Vector result = to.zero_vector();
-  for_each_place<dim>(to, [&](const auto place, const auto index) {
-    if (to.owned.is_element(index))
-      result(index) = readable(place);
-  });
+  for (const auto &cell : to.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const auto &of_cell = values.at(path_of_cell<dim>(cell));
+        unsigned int i      = 0;
+        for (const auto &node : to.node_indices(cell))
+          for (const auto index : node)
+            {
+              if (to.owned.is_element(index))
+                result(index) = of_cell[i];
+              ++i;
+            }
+      }
   result.compress(VectorOperation::insert);
   return result;
 }

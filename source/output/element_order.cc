@@ -1,5 +1,3 @@
-#include <deal.II/base/exceptions.h>
-
 #include <setsudan/output/element_order.h>
 
 namespace Setsudan
@@ -23,67 +21,6 @@ vtk_edges()
                   {{3, 7}}});
   return edges;
 }
-
-
-
-template <int dim>
-Edges
-gmsh_edges()
-{
-  if (dim == 2)
-    return vtk_edges<2>();
-  return {{{0, 1}},
-          {{0, 3}},
-          {{0, 4}},
-          {{1, 2}},
-          {{1, 5}},
-          {{2, 3}},
-          {{2, 6}},
-          {{3, 7}},
-          {{4, 5}},
-          {{4, 7}},
-          {{5, 6}},
-          {{6, 7}}};
-}
-
-
-
-namespace
-{
-/** Corners of a cell in the order of gmsh and VTK: around the bottom, then
- * around the top. */
-template <int dim>
-std::vector<unsigned int>
-corner_order()
-{
-  if (dim == 2)
-    return {0, 1, 3, 2};
-  return {0, 1, 3, 2, 4, 5, 7, 6};
-}
-
-
-
-/** For each node of another program's element its number in ours. */
-template <int dim>
-std::vector<unsigned int>
-node_order(const Edges &edges)
-{
-  const auto corners = corner_order<dim>();
-  auto order         = corners;
-  for (const auto &edge : edges)
-    for (unsigned int node = GeometryInfo<dim>::vertices_per_cell;
-         node < n_element_nodes<dim>;
-         ++node)
-      {
-        const auto ends      = vertices_of_node<dim>(node);
-        const unsigned int a = corners[edge[0]], b = corners[edge[1]];
-        if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a))
-          order.push_back(node);
-      }
-  AssertDimension(order.size(), n_element_nodes<dim>);
-  return order;
-}
-} // namespace
 
 
 
@@ -118,16 +55,12 @@ connectivity(const PieceMesh<dim> &piece,
 
 template Edges
 vtk_edges<2>();
-template Edges
-gmsh_edges<2>();
 template std::vector<double>
 coordinates(const PieceMesh<2> &);
 template std::vector<std::size_t>
 connectivity(const PieceMesh<2> &, const Edges &, const std::size_t);
 template Edges
 vtk_edges<3>();
-template Edges
-gmsh_edges<3>();
 template std::vector<double>
 coordinates(const PieceMesh<3> &);
 template std::vector<std::size_t>

@@ -18,8 +18,8 @@ template <int dim>
 class StressPostprocessor : public DataPostprocessor<dim>
 {
 public:
-  explicit StressPostprocessor(const Hooke &material)
-    : material(material)
+  explicit StressPostprocessor(const ElasticModel<dim> &model)
+    : model(model)
   {
   }
 
@@ -28,6 +28,7 @@ public:
     const DataPostprocessorInputs::Vector<dim> &inputs,
     std::vector<dealii::Vector<double>> &values) const override
   {
+    const Hooke &material = model.hooke(inputs.template get_cell<dim>());
     for (unsigned int p = 0; p < values.size(); ++p)
       {
         Tensor<2, dim> gradient;
@@ -70,7 +71,7 @@ public:
   }
 
 private:
-  const Hooke material;
+  const ElasticModel<dim> &model;
 };
 
 
@@ -105,11 +106,15 @@ FrameWriter<dim>::write(const unsigned int frame,
                         const ElementLabels &labels)
 {
   const auto &discretization = model.discretization;
-  const StressPostprocessor<dim> stress(model.material);
+  const StressPostprocessor<dim> stress(model);
   const auto side = cell_data<dim>(
     discretization, [&](const unsigned int e) { return labels.side[e]; });
   const auto piece = cell_data<dim>(
     discretization, [&](const unsigned int e) { return labels.piece[e]; });
+
+  const auto material = cell_data<dim>(discretization, [&](const unsigned e) {
+    return model.materials.number(e);
+  });
 
   DataOut<dim> data_out;
   data_out.attach_dof_handler(discretization.dof_handler);
@@ -122,11 +127,12 @@ FrameWriter<dim>::write(const unsigned int frame,
   data_out.add_data_vector(displacement, stress);
   data_out.add_data_vector(side, "side", DataOut<dim>::type_cell_data);
   data_out.add_data_vector(piece, "piece", DataOut<dim>::type_cell_data);
+  data_out.add_data_vector(material, "material", DataOut<dim>::type_cell_data);
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = true;
   data_out.set_flags(flags);
   data_out.build_patches(
-    discretization.mapping, 2, DataOut<dim>::curved_inner_cells);
+    discretization.mapping(), 2, DataOut<dim>::curved_inner_cells);
 
   const MPI_Comm communicator = discretization.communicator;
   const unsigned int rank     = Utilities::MPI::this_mpi_process(communicator);

@@ -1,11 +1,13 @@
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/body/point_name.h>
 #include <setsudan/elasticity/strain_recovery.h>
 #include <setsudan/output/node_table.h>
 
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <tuple>
 
 namespace Setsudan
 {
@@ -13,8 +15,10 @@ using namespace dealii;
 
 namespace
 {
-/** A node by its number and its side: "0", or a sign for each cut. */
-using NodeKey = std::pair<unsigned int, std::string>;
+/** A node by its number in the uncut body, or the largest number there is for
+ * one that refinement has made, by its name and by its side: "0", or a sign
+ * for each cut. */
+using NodeKey = std::tuple<unsigned int, PointName, std::string>;
 
 /** What the elements that meet at a node say of it. */
 struct NodeRecord
@@ -87,20 +91,25 @@ collect_own_records(const Body<dim> &body,
         recovery.reinit(cell, displacement);
         const unsigned int element = discretization.element(cell);
         const auto nodes           = discretization.node_indices(cell);
+        const auto points          = discretization.points_in_element(cell);
+        const auto where           = discretization.node_positions(cell);
         for (unsigned int node = 0; node < nodes.size(); ++node)
           {
             NodeRecord record;
-            const auto position = body.mesh.node_position(element, node);
+            const auto &position = where[node];
             for (unsigned int c = 0; c < dim; ++c)
               {
                 record.position[c]     = position[c];
                 record.displacement[c] = displacement(nodes[node][c]);
               }
-            record.stress_sum = model.material.stress(recovery.strain(node));
+            record.stress_sum = model.hooke(cell).stress(recovery.strain(node));
             record.max_shear  = maximum_shear(record.stress_sum);
             record.n_elements = 1;
             const auto sign   = signs.find(nodes[node][0]);
-            records[{body.numbering.node_number(element, node),
+            const auto of_body = node_at(points[node]);
+            records[{of_body ? body.node_numbers[element][*of_body]
+                             : numbers::invalid_unsigned_int,
+                     name_of_point(body.mesh, element, points[node]),
                      sign == signs.end() ? "0" : sign->second}]
               .add(record);
           }
@@ -131,9 +140,18 @@ write_node_table(const Body<dim> &body,
   directory.write(name, [&](std::ostream &out) {
     out << "number,side,x,y,z,ux,uy,uz,max_shear,sxx,syy,szz,sxy,syz,sxz\n"
         << std::setprecision(12);
+    unsigned int last = 0;
+    PointName last_name;
     for (const auto &[key, record] : records)
       {
-        out << key.first << ',' << key.second;
+        const auto &[number, name, side] = key;
+        // The copies of a new node follow each other.
+        if (number != numbers::invalid_unsigned_int)
+          last = number;
+        else if (name != last_name)
+          ++last;
+        last_name = name;
+        out << last << ',' << side;
         for (const double x : record.position)
           out << ',' << x;
         for (const double u : record.displacement)

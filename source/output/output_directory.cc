@@ -38,6 +38,14 @@ OutputParameters::declare(ParameterHandler &handler)
                     "false",
                     Patterns::Bool(),
                     "Write every solved state as a table of its nodes too.");
+  Setsudan::declare(handler,
+                    "Output",
+                    "Piece shape",
+                    "rest",
+                    Patterns::Selection("rest|deformed"),
+                    "The shape in which the pieces are written as bodies: as "
+                    "they were before the cut, or as its last state has left "
+                    "them.");
 }
 
 
@@ -45,6 +53,7 @@ OutputParameters::declare(ParameterHandler &handler)
 OutputParameters::OutputParameters(const Parameters &parameters)
   : directory(parameters.text("Output", "Directory"))
   , node_tables(parameters.truth("Output", "Node tables"))
+  , pieces_deformed(parameters.text("Output", "Piece shape") == "deformed")
 {
   const std::string name = parameters.text("Output", "Frames");
   frames                 = name == "every row" ? Frames::every_row

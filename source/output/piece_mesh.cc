@@ -1,5 +1,7 @@
-#include <deal.II/grid/grid_tools.h>
+#include <deal.II/base/mpi.h>
 
+#include <setsudan/body/geometry.h>
+#include <setsudan/output/piece_groups.h>
 #include <setsudan/output/piece_mesh.h>
 
 #include <algorithm>
@@ -26,7 +28,7 @@ name_of_node(const CoarseMesh<dim> &mesh,
   const auto ends          = vertices_of_node<dim>(node);
   const auto &vertices     = mesh.cells[element].vertices;
   const auto [first, last] = std::minmax(vertices[ends[0]], vertices[ends[1]]);
-  return {body.numbering.node_number(element, node), first, last};
+  return {body.node_numbers[element][node], first, last};
 }
 } // namespace
 
@@ -38,10 +40,10 @@ PieceMesh<dim>::volume() const
   double volume = 0;
   for (const auto &element : elements)
     {
-      const std::vector<unsigned int> vertices(
-        element.begin(),
-        element.begin() + GeometryInfo<dim>::vertices_per_cell);
-      volume += GridTools::cell_measure<dim>(nodes, make_array_view(vertices));
+      ElementNodes<dim> positions;
+      for (unsigned int node = 0; node < element.size(); ++node)
+        positions[node] = nodes[element[node]];
+      volume += volume_of_element<dim>(positions);
     }
   return volume;
 }
@@ -82,20 +84,82 @@ make_piece_meshes(const CoarseMesh<dim> &mesh,
               meshes[p].nodes[nodes[node]] = mesh.node_position(element, node);
             }
         }
+      meshes[p].groups = collect_piece_groups(meshes[p], mesh, body);
     }
   return meshes;
 }
 
 
 
+template <int dim>
+ElementDisplacements<dim>
+gather_displacements(const Discretization<dim> &discretization,
+                     const unsigned int n_elements,
+                     const LA::Vector &displacement)
+{
+  // Element, node, and the displacement there.
+  using Entry = std::tuple<unsigned int, unsigned int, Tensor<1, dim>>;
+  std::vector<Entry> own;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const auto points = discretization.points_in_element(cell);
+        const auto nodes  = discretization.node_indices(cell);
+        for (unsigned int n = 0; n < nodes.size(); ++n)
+          if (const auto node = node_at(points[n]))
+            {
+              Tensor<1, dim> u;
+              for (unsigned int c = 0; c < dim; ++c)
+                u[c] = displacement(nodes[n][c]);
+              own.emplace_back(discretization.element(cell), *node, u);
+            }
+      }
+  ElementDisplacements<dim> result;
+  const auto parts = Utilities::MPI::gather(discretization.communicator, own);
+  if (!parts.empty())
+    result.resize(n_elements);
+  for (const auto &part : parts)
+    for (const auto &[element, node, u] : part)
+      result[element][node] = u;
+  return result;
+}
+
+
+
+template <int dim>
+void
+deform(PieceMesh<dim> &piece, const ElementDisplacements<dim> &displacements)
+{
+  const auto rest = piece.nodes;
+  for (unsigned int e = 0; e < piece.elements.size(); ++e)
+    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+      piece.nodes[piece.elements[e][node]] =
+        rest[piece.elements[e][node]] +
+        displacements[piece.elements_in_body[e]][node];
+}
+
+
+
 template struct PieceMesh<2>;
-template struct PieceMesh<3>;
 template std::vector<PieceMesh<2>>
 make_piece_meshes(const CoarseMesh<2> &,
                   const std::vector<unsigned int> &,
                   const Body<2> &);
+template ElementDisplacements<2>
+gather_displacements(const Discretization<2> &,
+                     const unsigned int,
+                     const LA::Vector &);
+template void
+deform(PieceMesh<2> &, const ElementDisplacements<2> &);
+template struct PieceMesh<3>;
 template std::vector<PieceMesh<3>>
 make_piece_meshes(const CoarseMesh<3> &,
                   const std::vector<unsigned int> &,
                   const Body<3> &);
+template ElementDisplacements<3>
+gather_displacements(const Discretization<3> &,
+                     const unsigned int,
+                     const LA::Vector &);
+template void
+deform(PieceMesh<3> &, const ElementDisplacements<3> &);
 } // namespace Setsudan

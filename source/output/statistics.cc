@@ -14,7 +14,7 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
             "cutting_stress,required_stress,strain_energy,potential_energy,"
             "max_displacement,force_residual,moment_residual,min_jacobian,"
             "pieces,seconds,max_strain,max_shear,reaction_x,reaction_y,"
-            "reaction_z\n";
+            "reaction_z,clamp_x,clamp_y,clamp_z,row_pieces\n";
   std::ostringstream line;
   line << std::setprecision(12) << event.frame << ',' << event.name << ','
        << event.cut << ',' << event.row << ',' << event.released_rows << ','
@@ -28,6 +28,10 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
        << std::setprecision(12) << event.max_strain << ',' << event.max_shear;
   for (const double component : event.reaction)
     line << ',' << component;
+  for (const double component : event.clamp_force)
+    line << ',' << component;
+  for (unsigned int i = 0; i < event.row_pieces.size(); ++i)
+    line << (i == 0 ? ',' : '+') << event.row_pieces[i];
   line << '\n';
   table += line.str();
   directory.write("statistics.csv", [&](std::ostream &out) { out << table; });

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 
 namespace Setsudan
@@ -174,6 +175,16 @@ Parameters::is_given(const std::string &subsection,
                      const std::string &name) const
 {
   return locations.count({subsection, name}) > 0;
+}
+
+
+
+std::string
+Parameters::path(const std::string &subsection, const std::string &name) const
+{
+  return (std::filesystem::path(scene_name).parent_path() /
+          text(subsection, name))
+    .string();
 }
 
 

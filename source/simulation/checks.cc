@@ -22,18 +22,20 @@ describe_state(const Scene<dim> &scene,
 {
   const auto &discretization = body.model->discretization;
 
-  event.load_factor     = state.load_factor;
-  event.blade_force     = 0;
-  event.cutting_stress  = state.cutting_stress;
-  event.required_stress = scene.required_stress();
-  event.strain_energy   = 0.5 * (state.displacement * state.internal);
+  event.load_factor    = state.load_factor;
+  event.blade_force    = 0;
+  event.cutting_stress = state.stress.reached;
+  // A state that is not judged leaves what was required before.
+  if (state.stress.required > 0)
+    event.required_stress = state.stress.required;
+  event.strain_energy = 0.5 * (state.displacement * state.internal);
   event.potential_energy =
     event.strain_energy - state.forces * state.displacement;
   event.pieces = body.n_pieces();
 
   const auto extremes =
     find_extremes(discretization,
-                  body.model->material,
+                  body.model->materials,
                   discretization.with_ghosts(state.displacement));
   event.min_jacobian     = extremes.min_jacobian;
   event.max_strain       = extremes.max_strain;
@@ -44,18 +46,17 @@ describe_state(const Scene<dim> &scene,
   for (auto &force : forces)
     {
       force.force *= state.load_factor;
-      event.blade_force += force.force * scene.blade.direction;
+      event.blade_force += force.force * body.cut().edge.direction;
     }
-  const auto balance    = check_balance(discretization,
-                                     body.model->supported,
-                                     state.internal,
-                                     body.model->loads,
-                                     state.forces,
-                                     forces);
+  const auto balance =
+    check_balance(*body.model, state.internal, state.forces, forces);
   event.force_residual  = balance.force_residual;
   event.moment_residual = balance.moment_residual;
   for (unsigned int d = 0; d < dim; ++d)
-    event.reaction[d] = balance.reaction[d];
+    {
+      event.reaction[d]    = balance.reaction[d];
+      event.clamp_force[d] = balance.clamp_force[d];
+    }
   const double tolerance = std::max(1e-8, 100 * scene.solver.tolerance);
   if (!(balance.force_residual <= tolerance &&
         balance.moment_residual <= tolerance))

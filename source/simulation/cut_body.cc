@@ -1,8 +1,11 @@
+#include <setsudan/body/pieces.h>
 #include <setsudan/cut/mesh_surgery.h>
+#include <setsudan/cut/near_cut.h>
 #include <setsudan/cut/sides.h>
 #include <setsudan/simulation/cut_body.h>
 
 #include <algorithm>
+#include <set>
 
 namespace Setsudan
 {
@@ -13,6 +16,10 @@ CutBody<dim>::CutBody(const Scene<dim> &scene, const MPI_Comm communicator)
   : communicator(communicator)
   , mesh(scene.body.mesh)
   , scene(scene)
+  , refinement(refine_near_cuts(scene.body,
+                                scene.cut,
+                                scene.shape.refinement,
+                                communicator))
 {
   rebuild();
   labels.side.assign(mesh.cells.size(), 0);
@@ -25,44 +32,67 @@ template <int dim>
 void
 CutBody<dim>::rebuild()
 {
-  model = std::make_unique<ElasticModel<dim>>(
-    mesh,
-    scene.body,
-    scene.supports,
-    scene.loads,
-    Hooke(scene.material.youngs_modulus, scene.material.poissons_ratio),
-    communicator);
+  model = std::make_unique<ElasticModel<dim>>(mesh,
+                                              refinement,
+                                              scene.body,
+                                              scene.supports,
+                                              scene.loads,
+                                              scene.material,
+                                              communicator);
+  if (drops())
+    for (const auto &loose : loose_pieces)
+      remove_loads_from_piece(labels.piece, loose, *model);
+}
+
+
+
+template <int dim>
+bool
+CutBody<dim>::drops() const
+{
+  return scene.supports.loose_pieces ==
+         SupportParameters<dim>::LoosePieces::drop;
 }
 
 
 
 template <int dim>
 Seam<dim>
-CutBody<dim>::make_seam(const CutSurface<dim> &surface) const
+CutBody<dim>::make_seam(const BegunCut &begun,
+                        const CoarseMesh<dim> &split) const
 {
-  const auto pairs = collect_node_pairs(*model, surface, scene.body);
-  const BladeEdge<dim> edge(surface.front().normal, scene.blade.direction);
-  return Seam<dim>(
-    pairs,
-    make_rows(pairs, scene.blade.direction, edge, scene.division.release));
+  const auto nodes =
+    collect_surface_nodes(*model, begun.surface, scene.body, split);
+  return Seam<dim>(nodes.pairs,
+                   make_rows(nodes, begun.cut->edge, scene.division));
 }
 
 
 
 template <int dim>
-void
-CutBody<dim>::approach(const CutSurface<dim> &surface)
+bool
+CutBody<dim>::approach(const Cut<dim> &cut)
 {
+  CutSurface<dim> surface = joined_faces(mesh, cut.surface.faces);
   for (const auto &loose : loose_pieces)
-    for (const auto &face : surface)
-      if (labels.piece[face.minus.first] == loose.piece ||
-          labels.piece[face.plus.first] == loose.piece)
+    {
+      const auto is_loose = [&](const CutFace<dim> &face) {
+        return labels.piece[face.minus.first] == loose.piece;
+      };
+      if (!drops() && std::any_of(surface.begin(), surface.end(), is_loose))
         throw std::runtime_error(
           "The next cut goes through piece " + std::to_string(loose.piece) +
-          ", which has no support to press it against. Support it with "
-          "Support/Fixed faces or Fixed nodes, or cut it first.");
-  surfaces.push_back(surface);
-  seams.push_back(make_seam(surface));
+          ", which has no support to press it against. Hold it in subsection "
+          "Support, cut it first, or set Support/Loose pieces = drop.");
+      surface.erase(std::remove_if(surface.begin(), surface.end(), is_loose),
+                    surface.end());
+    }
+  if (surface.empty())
+    return false;
+  split = split_mesh(mesh, surface);
+  begun_cuts.push_back({&cut, surface});
+  seams.push_back(make_seam(begun_cuts.back(), split));
+  return true;
 }
 
 
@@ -71,14 +101,14 @@ template <int dim>
 void
 CutBody<dim>::open()
 {
-  mesh        = split_mesh(mesh, surfaces.back());
-  labels.side = find_sides(mesh, surfaces.back());
+  mesh        = std::move(split);
+  labels.side = find_sides(mesh, begun_cuts.back().surface);
   rebuild();
   seams.clear();
-  for (const auto &surface : surfaces)
+  for (const auto &begun : begun_cuts)
     {
-      seams.push_back(make_seam(surface));
-      if (seams.size() < surfaces.size())
+      seams.push_back(make_seam(begun, mesh));
+      if (seams.size() < begun_cuts.size())
         seams.back().set_all_states(Seam<dim>::State::free);
     }
 }
@@ -90,10 +120,22 @@ void
 CutBody<dim>::divide()
 {
   seam().set_all_states(Seam<dim>::State::free);
-  labels.piece = find_pieces(mesh);
+  labels.piece = find_pieces(mesh, labels.piece);
   loose_pieces = find_loose_pieces(mesh, labels.piece, scene.supports);
   for (const auto &loose : loose_pieces)
-    check_loads_on_loose_piece(*model, labels.piece, loose);
+    if (drops())
+      remove_loads_from_piece(labels.piece, loose, *model);
+    else
+      check_loads_on_loose_piece(*model, labels.piece, loose);
+}
+
+
+
+template <int dim>
+const Cut<dim> &
+CutBody<dim>::cut() const
+{
+  return *begun_cuts.back().cut;
 }
 
 
@@ -126,12 +168,17 @@ CutBody<dim>::constraints() const
     lines.add_indices(
       seam.coupled_indices(discretization.dof_handler.n_dofs()));
   AffineConstraints<double> constraints(lines);
-  constraints.merge(
-    model->supports, AffineConstraints<double>::no_conflicts_allowed, true);
+  for (const auto *part : {&model->hanging, &model->supports})
+    constraints.merge(
+      *part, AffineConstraints<double>::no_conflicts_allowed, true);
+  for (const auto &loose : loose_pieces)
+    if (drops())
+      constrain_dropped_piece(discretization, labels.piece, loose, constraints);
+    else
+      constrain_loose_piece(
+        discretization, mesh, labels.piece, loose, constraints);
   for (const auto &seam : seams)
     seam.add_constraints(constraints);
-  for (const auto &loose : loose_pieces)
-    constrain_loose_piece(discretization, mesh, loose, constraints);
   constraints.close();
   return constraints;
 }
@@ -143,6 +190,18 @@ unsigned int
 CutBody<dim>::n_pieces() const
 {
   return *std::max_element(labels.piece.begin(), labels.piece.end()) + 1;
+}
+
+
+
+template <int dim>
+std::vector<unsigned int>
+CutBody<dim>::pieces_of_row(const unsigned int row) const
+{
+  std::set<unsigned int> pieces;
+  for (const unsigned int pair : seam().rows()[row].front)
+    pieces.insert(labels.piece[seam().pairs()[pair].element]);
+  return {pieces.begin(), pieces.end()};
 }
 
 

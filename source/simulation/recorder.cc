@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/body/geometry.h>
 #include <setsudan/output/node_table.h>
 #include <setsudan/output/piece_mesh.h>
 #include <setsudan/parameters/lists.h>
@@ -94,30 +95,37 @@ Recorder<dim>::write_state(const CutBody<dim> &body,
 
 template <int dim>
 void
-Recorder<dim>::write_pieces(const CutBody<dim> &body)
+Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
 {
+  ElementDisplacements<dim> displacements;
+  if (scene.output.pieces_deformed)
+    displacements = gather_displacements(
+      body.model->discretization,
+      body.mesh.cells.size(),
+      body.model->discretization.with_ghosts(state.displacement));
+  if (!is_first_process)
+    return;
+
   double volume_of_body = 0;
   for (unsigned int e = 0; e < scene.body.mesh.cells.size(); ++e)
-    volume_of_body += scene.body.mesh.cell_volume(e);
-
-  double volume = 0;
-  if (is_first_process)
+    volume_of_body += volume_of_element(scene.body.mesh.node_positions(e));
+  double volume       = 0;
+  unsigned int number = 0;
+  for (auto &piece :
+       make_piece_meshes(body.mesh, body.labels.piece, scene.body))
     {
-      unsigned int number = 0;
-      for (const auto &piece :
-           make_piece_meshes(body.mesh, body.labels.piece, scene.body))
-        {
-          volume += piece.volume();
-          const std::string name = "piece_" + std::to_string(number++);
-          write_piece_msh(piece, directory, name + ".msh");
-          write_piece_vtu(piece, directory, name + ".vtu");
-        }
-      if (!(std::abs(volume - volume_of_body) <= 1e-12 * volume_of_body))
-        throw std::runtime_error("The pieces' volumes sum up to " +
-                                 short_text(volume) + " and the body's is " +
-                                 short_text(volume_of_body) +
-                                 ": material was lost or made by the surgery.");
+      volume += piece.volume();
+      if (scene.output.pieces_deformed)
+        deform(piece, displacements);
+      const std::string name = "piece_" + std::to_string(number++);
+      write_piece_msh(piece, directory, name + ".msh");
+      write_piece_vtu(piece, directory, name + ".vtu");
     }
+  if (!(std::abs(volume - volume_of_body) <= 1e-12 * volume_of_body))
+    throw std::runtime_error("The pieces' volumes sum up to " +
+                             short_text(volume) + " and the body's is " +
+                             short_text(volume_of_body) +
+                             ": material was lost or made by the surgery.");
 }
 
 

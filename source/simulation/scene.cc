@@ -1,8 +1,8 @@
-#include <setsudan/cut/blade_edge.h>
 #include <setsudan/elasticity/rigid_modes.h>
 #include <setsudan/simulation/scene.h>
 
 #include <numeric>
+#include <sstream>
 
 namespace Setsudan
 {
@@ -49,7 +49,7 @@ Scene<dim>::declare(ParameterHandler &handler)
                     Patterns::Anything(),
                     "A label, as the unit of length.");
   BodyParameters<dim>::declare(handler);
-  MaterialParameters::declare(handler);
+  MaterialParameters<dim>::declare(handler);
   SupportParameters<dim>::declare(handler);
   LoadParameters<dim>::declare(handler);
   BladeParameters<dim>::declare(handler);
@@ -74,15 +74,25 @@ check_supports(const Parameters &parameters,
   std::vector<unsigned int> elements(body.mesh.cells.size());
   std::iota(elements.begin(), elements.end(), 0);
   const auto hold =
-    find_minimal_hold(supports.fixed_points(elements), body.mesh.vertices);
+    find_minimal_hold(supports.held_points(elements), body.mesh.vertices);
   parameters.require(
     hold.empty(),
     "Support",
     parameters.is_given("Support", "Fixed nodes") ? "Fixed nodes"
                                                   : "Fixed faces",
-    "faces and nodes that hold the body; with these it is free to move "
+    "groups, boxes and nodes that hold the body; with these it is free to move "
     "rigidly in " +
       std::to_string(hold.size()) + (hold.size() == 1 ? " way" : " ways"));
+  if (const auto node = supports.find_contradiction())
+    {
+      std::ostringstream text;
+      text << *node;
+      parameters.reject("Support",
+                        "Displacements",
+                        "displacements that agree with the other supports; at "
+                        "the node at " +
+                          text.str() + " they do not");
+    }
 }
 } // namespace
 
@@ -91,30 +101,19 @@ template <int dim>
 Scene<dim>::Scene(const Parameters &parameters)
   : length_unit(parameters.text("", "Length unit"))
   , force_unit(parameters.text("", "Force unit"))
-  , body(BodyParameters<dim>(parameters))
+  , shape(parameters)
+  , body(make_body(parameters, shape))
   , supports(SupportParameters<dim>(parameters, body), body)
   , loads(parameters, body)
-  , material(parameters)
+  , material(parameters, body)
   , blade(parameters)
-  , cut(parameters, BodyParameters<dim>(parameters))
+  , cut(parameters, body, supports, blade)
   , yield(parameters)
   , division(parameters)
   , solver(parameters)
   , output(parameters)
 {
   check_supports(parameters, body, supports);
-  for (const auto &surface : cut.surfaces)
-    check_blade(
-      parameters, blade, body, supports, make_cut_surface(body, surface));
-}
-
-
-
-template <int dim>
-double
-Scene<dim>::required_stress() const
-{
-  return Setsudan::required_stress(material.shear_limit, blade.sharpness);
 }
 
 

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/elasticity/transfer.h>
+#include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/checks.h>
 #include <setsudan/simulation/simulation.h>
 
@@ -27,9 +28,9 @@ void
 Simulation<dim>::run()
 {
   rest();
-  if (scene.cut.surfaces.empty())
+  if (scene.cut.cuts.empty())
     deform_only();
-  for (unsigned int cut = 0; cut < scene.cut.surfaces.size(); ++cut)
+  for (unsigned int cut = 0; cut < scene.cut.cuts.size(); ++cut)
     if (!make_cut(cut))
       break;
   std::ostringstream line;
@@ -45,7 +46,8 @@ template <int dim>
 bool
 Simulation<dim>::make_cut(const unsigned int cut)
 {
-  approach(cut);
+  if (!approach(cut))
+    return true;
   const unsigned int n_rows = body.seam().rows().size();
   for (unsigned int row = 0; row < n_rows; ++row)
     {
@@ -69,22 +71,10 @@ template <int dim>
 void
 Simulation<dim>::rest()
 {
-  const auto n_unknowns = body.model->discretization.dof_handler.n_dofs();
-  const auto solver     = make_linear_solver(scene.solver, n_unknowns);
-  std::ostringstream line;
-  line << "Body: " << dim << "D, " << scene.body.mesh.cells.size()
-       << " elements, " << scene.body.numbering.n_nodes() << " nodes, "
-       << n_unknowns << " unknowns on "
-       << Utilities::MPI::n_mpi_processes(body.communicator)
-       << " process(es).\nSolver: " << solver->description();
-  if (scene.solver.method == SolverParameters::Method::automatic)
-    line << ", chosen because the unknowns "
-         << (solver->is_iterative() ? "exceed " : "do not exceed ")
-         << "Solver/Direct up to = " << scene.solver.direct_up_to;
-  recorder.progress.say(line.str() + ".");
-
+  recorder.progress.say(describe_body(scene, body));
   state                 = rest_state(body);
-  event.required_stress = scene.required_stress();
+  event.required_stress = required_stress(scene.material.smallest_shear_limit(),
+                                          scene.blade.sharpness);
   recorder.record("rest", event);
   recorder.write_state(body, state, 0, true);
 }
@@ -95,7 +85,7 @@ template <int dim>
 void
 Simulation<dim>::deform_only()
 {
-  if (!scene.blade.edge_loads.empty())
+  if (!scene.blade.edge_loads.front().empty())
     recorder.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
@@ -108,18 +98,24 @@ Simulation<dim>::deform_only()
 
 
 template <int dim>
-void
+bool
 Simulation<dim>::approach(const unsigned int cut)
 {
-  body.approach(make_cut_surface(scene.body, scene.cut.surfaces[cut]));
+  const Cut<dim> &chosen = scene.cut.cuts[cut];
+  if (!body.approach(chosen))
+    {
+      recorder.progress.say("Cut " + std::to_string(cut) + " (" + chosen.text +
+                            "): nothing is left to cut, earlier cuts have "
+                            "opened it or its pieces have been dropped.");
+      return false;
+    }
   event.cut           = cut;
   event.released_rows = 0;
   recorder.warn_anew();
-  std::ostringstream line;
-  line << "Cut " << cut << " (" << scene.cut.surfaces[cut].text
-       << "): " << body.seam().rows().size() << " rows, "
-       << body.seam().pairs().size() << " nodes.";
-  recorder.progress.say(line.str());
+  recorder.progress.say(describe_cut(body, cut));
+  if (chosen.surface.roughness > 1e-6)
+    recorder.progress.warn(describe_roughness(chosen));
+  return true;
 }
 
 
@@ -130,7 +126,7 @@ Simulation<dim>::deform(const unsigned int row)
 {
   using LoadControl = DivisionParameters::LoadControl;
   const bool ramp   = scene.division.load_control == LoadControl::ramp;
-  const auto blade  = blade_on_row(scene, body, row);
+  const auto blade  = blade_on_row(body, row);
   if (ramp && is_judged(row))
     accept(solve_ramp(scene, body, blade, row), blade);
   else
@@ -146,8 +142,9 @@ Simulation<dim>::deform(const unsigned int row)
 
   if (row > 0)
     recorder.record("release", event);
-  event.row   = row;
-  event.depth = body.seam().rows()[row].depth;
+  event.row        = row;
+  event.depth      = body.seam().rows()[row].depth;
+  event.row_pieces = body.pieces_of_row(row);
   recorder.record("deform", event);
   recorder.show_row(event, body.seam().rows().size());
   recorder.write_state(body,
@@ -184,13 +181,7 @@ void
 Simulation<dim>::arrest()
 {
   recorder.record("arrest", event);
-  std::ostringstream line;
-  line.precision(6);
-  line << "Arrested at row " << event.row + 1 << " of "
-       << body.seam().rows().size() << ": the cutting stress reached "
-       << event.cutting_stress << " and " << event.required_stress
-       << " is required, at load factor " << event.load_factor << ".";
-  recorder.progress.say(line.str());
+  recorder.progress.say(describe_arrest(event, body.seam().rows().size()));
 }
 
 
@@ -209,11 +200,8 @@ Simulation<dim>::open()
   state.internal = internal_forces_of(body, state.displacement);
 
   // A fully tied seam is the uncut body.
-  const State<dim> tied = solve_state(scene,
-                                      body,
-                                      blade_on_row(scene, body, 0),
-                                      state.load_factor,
-                                      state.displacement);
+  const State<dim> tied = solve_state(
+    scene, body, blade_on_row(body, 0), state.load_factor, state.displacement);
   LA::Vector difference = tied.displacement;
   difference -= state.displacement;
   const double largest = state.displacement.linfty_norm();
@@ -246,19 +234,17 @@ template <int dim>
 void
 Simulation<dim>::divide()
 {
+  const auto known = body.loose_pieces;
   body.divide();
-  for (const auto &loose : body.loose_pieces)
-    recorder.progress.say("  piece " + std::to_string(loose.piece) +
-                          " has no support of its own; it is held at " +
-                          std::to_string(loose.hold.size()) +
-                          " components, which its loads do not strain");
+  for (const auto &line : describe_loose_pieces(scene, body, known))
+    recorder.progress.say(line);
   State<dim> divided =
     solve_state(scene, body, no_blade(body), 0, state.displacement);
   accept(std::move(divided), no_blade(body));
   recorder.record("release", event);
   recorder.record("divide", event);
   recorder.write_state(body, state, event.frame, true);
-  recorder.write_pieces(body);
+  recorder.write_pieces(body, state);
 }
 
 

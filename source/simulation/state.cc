@@ -1,5 +1,9 @@
 #include <setsudan/simulation/state.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -13,22 +17,52 @@ no_blade(const CutBody<dim> &body)
 
 
 
+namespace
+{
+/** The point of a row's front at a position along the edge: on the lines
+ * between its nodes, or at its end. Nodes at one position count as one in
+ * their middle. */
+template <int dim>
+Point<dim>
+point_on_front(const std::vector<NodePair<dim>> &pairs,
+               const Row &row,
+               const double position)
+{
+  const auto &at         = row.positions;
+  const double tolerance = 1e-10 * (at.back() - at.front());
+  const auto middle      = [&](const double where) {
+    Tensor<1, dim> sum;
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < at.size(); ++i)
+      if (std::abs(at[i] - where) <= tolerance)
+        {
+          sum += pairs[row.front[i]].position;
+          ++n;
+        }
+    return Point<dim>(sum / n);
+  };
+  const double inside = std::clamp(position, at.front(), at.back());
+  const double behind = *std::lower_bound(at.begin(), at.end(), inside);
+  const double ahead =
+    *std::prev(std::upper_bound(at.begin(), at.end(), inside));
+  if (behind - ahead <= tolerance)
+    return middle(ahead);
+  const Tensor<1, dim> way = middle(behind) - middle(ahead);
+  return middle(ahead) + (inside - ahead) / (behind - ahead) * way;
+}
+} // namespace
+
+
 template <int dim>
 BladeLoad<dim>
-blade_on_row(const Scene<dim> &scene,
-             const CutBody<dim> &body,
-             const unsigned int row)
+blade_on_row(const CutBody<dim> &body, const unsigned int row)
 {
   const auto &pairs     = body.seam().pairs();
   const auto &front     = body.seam().rows()[row].front;
-  const auto &direction = scene.blade.direction;
-  const BladeEdge<dim> edge(pairs[front.front()].normal, direction);
-  std::vector<double> positions;
-  for (const unsigned int pair : front)
-    positions.push_back(edge.position(pairs[pair].position));
-
-  BladeLoad<dim> blade = no_blade(body);
-  for (const auto &share : share_edge_loads(scene.blade.edge_loads, positions))
+  const auto &direction = body.cut().edge.direction;
+  BladeLoad<dim> blade  = no_blade(body);
+  for (const auto &share : share_edge_loads(body.cut().edge_loads,
+                                            body.seam().rows()[row].positions))
     for (unsigned int c = 0; c < dim; ++c)
       {
         // The front is tied: a force on one side acts on both.
@@ -37,9 +71,9 @@ blade_on_row(const Scene<dim> &scene,
           blade.nodal_forces(index) += share.force * direction[c];
       }
   blade.nodal_forces.compress(VectorOperation::add);
-  for (const auto &load : scene.blade.edge_loads)
+  for (const auto &load : body.cut().edge_loads)
     blade.forces.push_back(
-      {edge.point(pairs[front.front()].position, load.position),
+      {point_on_front(pairs, body.seam().rows()[row], load.position),
        load.force * direction});
   return blade;
 }
@@ -77,9 +111,18 @@ unloaded_state(const Scene<dim> &scene, const CutBody<dim> &body)
   State<dim> state = rest_state(body);
   state.forces     = body.model->loads;
   if (!body.seams.empty())
-    state.opening =
-      body.seam().opening(body.model->discretization, scene.blade.thickness);
+    state.opening = body.seam().opening(*body.model, scene.blade.thickness);
   return state;
+}
+
+/** What the supports and the opening of the cut prescribe. */
+template <int dim>
+LA::Vector
+prescribed(const CutBody<dim> &body, const State<dim> &state)
+{
+  LA::Vector displacement = body.model->prescribed;
+  displacement += state.opening;
+  return displacement;
 }
 
 template <int dim>
@@ -110,7 +153,7 @@ solve_state(const Scene<dim> &scene,
   state.load_factor      = load_factor;
   state.forces.add(load_factor, blade.nodal_forces);
   state.displacement = Equilibrium<dim>(*body.model, constraints, scene.solver)
-                         .solve(state.forces, state.opening, guess);
+                         .solve(state.forces, prescribed(body, state), guess);
   state.internal = internal_forces_of(body, state.displacement);
   return state;
 }
@@ -129,18 +172,18 @@ solve_ramp(const Scene<dim> &scene,
   State<dim> state       = unloaded_state(scene, body);
 
   Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
-  const LA::Vector base =
-    equilibrium.solve(state.forces, state.opening, state.opening);
+  const LA::Vector held     = prescribed(body, state);
+  const LA::Vector base     = equilibrium.solve(state.forces, held, held);
   const LA::Vector per_load = equilibrium.solve(blade.nodal_forces, zero, zero);
   const YieldLoad load = find_yield_load(front_stresses_of(body, row, base),
                                          front_stresses_of(body, row, per_load),
-                                         scene.required_stress(),
+                                         scene.blade.sharpness,
                                          scene.division.max_load_factor,
                                          body.communicator);
 
-  state.load_factor    = load.load_factor;
-  state.cutting_stress = load.cutting_stress;
-  state.yields         = load.yields;
+  state.load_factor = load.load_factor;
+  state.stress      = load.stress;
+  state.yields      = load.yields;
   state.forces.add(load.load_factor, blade.nodal_forces);
   state.displacement = base;
   state.displacement.add(load.load_factor, per_load);
@@ -157,9 +200,11 @@ judge(const Scene<dim> &scene,
       const unsigned int row,
       State<dim> &state)
 {
-  state.cutting_stress = cutting_stress(
-    front_stresses_of(body, row, state.displacement), body.communicator);
-  state.yields = yields(state.cutting_stress, scene.required_stress());
+  state.stress =
+    cutting_stress(front_stresses_of(body, row, state.displacement),
+                   scene.blade.sharpness,
+                   body.communicator);
+  state.yields = state.stress.yields();
 }
 
 
@@ -167,7 +212,7 @@ judge(const Scene<dim> &scene,
 template BladeLoad<2>
 no_blade(const CutBody<2> &);
 template BladeLoad<2>
-blade_on_row(const Scene<2> &, const CutBody<2> &, const unsigned int);
+blade_on_row(const CutBody<2> &, const unsigned int);
 template LA::Vector
 internal_forces_of(CutBody<2> &, const LA::Vector &);
 template State<2>
@@ -188,7 +233,7 @@ judge(const Scene<2> &, const CutBody<2> &, const unsigned int, State<2> &);
 template BladeLoad<3>
 no_blade(const CutBody<3> &);
 template BladeLoad<3>
-blade_on_row(const Scene<3> &, const CutBody<3> &, const unsigned int);
+blade_on_row(const CutBody<3> &, const unsigned int);
 template LA::Vector
 internal_forces_of(CutBody<3> &, const LA::Vector &);
 template State<3>

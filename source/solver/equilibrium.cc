@@ -20,7 +20,7 @@ template <int dim>
 std::vector<std::vector<double>>
 rigid_modes_of(const Discretization<dim> &discretization)
 {
-  const auto sites = discretization.sites();
+  const auto &sites = discretization.sites();
   std::vector<std::vector<double>> modes(n_rigid_modes<dim>,
                                          std::vector<double>(sites.size()));
   for (unsigned int i = 0; i < sites.size(); ++i)
@@ -55,20 +55,6 @@ Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
 
 template <int dim>
 LA::Vector
-Equilibrium<dim>::condense(const LA::Vector &forces) const
-{
-  LA::Vector condensed = model.discretization.zero_vector();
-  for (const auto index : model.discretization.owned)
-    if (forces(index) != 0)
-      constraints.distribute_local_to_global(index, forces(index), condensed);
-  condensed.compress(VectorOperation::add);
-  return condensed;
-}
-
-
-
-template <int dim>
-LA::Vector
 Equilibrium<dim>::solve(const LA::Vector &forces,
                         const LA::Vector &prescribed,
                         const LA::Vector &guess)
@@ -77,7 +63,7 @@ Equilibrium<dim>::solve(const LA::Vector &forces,
   remaining -= internal_forces(model.discretization,
                                model.stiffness,
                                model.discretization.with_ghosts(prescribed));
-  const LA::Vector b = condense(remaining);
+  const LA::Vector b = condense(constraints, remaining);
 
   LA::Vector x = guess;
   x -= prescribed;

@@ -57,10 +57,11 @@ template <int dim>
 void
 test_elements(const Body<dim> &body, const Point<dim> &size)
 {
-  const auto &numbering = body.numbering;
+  const auto &numbering = *body.box;
   const auto nodes      = all_half_indices<dim>(numbering.n_elements);
   double error          = 0;
   bool inverse          = true;
+  bool same             = true;
   std::vector<bool> touched(nodes.size(), false);
   for (unsigned int element = 0; element < body.mesh.cells.size(); ++element)
     {
@@ -70,6 +71,7 @@ test_elements(const Body<dim> &body, const Point<dim> &size)
         {
           const unsigned int number = numbering.node_number(element, node);
           touched.at(number)        = true;
+          same = same && body.node_numbers[element][node] == number;
           Point<dim> position;
           for (unsigned int d = 0; d < dim; ++d)
             position[d] =
@@ -86,6 +88,9 @@ test_elements(const Body<dim> &body, const Point<dim> &size)
   check("every node is an element's",
         std::count(touched.begin(), touched.end(), false) == 0);
   check("element numbers and indices agree", inverse);
+  check("the body has these numbers", same && body.n_nodes() == nodes.size());
+  check("and no others",
+        body.has_node(nodes.size() - 1) && !body.has_node(nodes.size()));
   check_below("distance of nodes from where they should be", error, 1e-13);
 }
 
@@ -100,7 +105,7 @@ test(const std::string &n_elements)
     size[d] = d + 1;
   const SmallBody<dim> small({"Body/Elements=" + n_elements,
                               dim == 3 ? "Body/Size=1,2,3" : "Body/Size=1,2"});
-  test_order(small.body.numbering);
+  test_order(*small.body.box);
   test_elements(small.body, size);
 }
 

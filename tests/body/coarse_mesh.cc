@@ -2,6 +2,9 @@
 // a face are neighbors, and pieces are what hangs together by faces.
 
 #include <setsudan/body/body.h>
+#include <setsudan/body/face_index.h>
+#include <setsudan/body/geometry.h>
+#include <setsudan/body/pieces.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -13,6 +16,7 @@
 
 #include "../parameters/check.h"
 #include "../test_setup.h"
+#include "detach.h"
 #include "small_body.h"
 
 using namespace Setsudan;
@@ -29,54 +33,74 @@ small_body()
 }
 
 
-/** Every face has one cell and a boundary id, or two cells and none. */
+/** Every face has one cell and is in one group, or two cells and in none. */
 template <int dim>
 void
-test_faces(const CoarseMesh<dim> &mesh)
+test_faces(const Body<dim> &body)
 {
-  std::map<FaceKey, std::vector<CellFace>> faces;
+  const CoarseMesh<dim> &mesh = body.mesh;
+  std::map<EntityKey, std::vector<CellFace>> faces;
   for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
     for (unsigned int face = 0; face < GeometryInfo<dim>::faces_per_cell;
          ++face)
       faces[mesh.face_key({cell, face})].push_back({cell, face});
+  std::map<EntityKey, unsigned int> n_groups;
+  for (const auto &group : body.groups)
+    for (const auto &entity : group.entities)
+      ++n_groups[entity];
 
+  const FaceIndex<dim> index(mesh);
   unsigned int n_boundary_faces = 0, n_wrong = 0;
   for (const auto &[key, sides] : faces)
     {
       const bool at_boundary = sides.size() == 1;
       n_boundary_faces += at_boundary;
-      if (sides.size() > 2 || !std::is_sorted(key.begin(), key.end()))
+      if (sides.size() > 2 || !std::is_sorted(key.begin(), key.end()) ||
+          n_vertices(key) != GeometryInfo<dim>::vertices_per_face)
         ++n_wrong;
-      for (const auto &side : sides)
-        if ((mesh.boundary_ids.count(side) > 0) != at_boundary)
-          ++n_wrong;
+      if (n_groups[key] != (at_boundary ? 1 : 0) || index.find(key) != sides)
+        ++n_wrong;
     }
+  n_wrong += n_groups.size() != faces.size();
   std::cout << dim << "D: " << faces.size() << " faces, " << n_boundary_faces
             << " on the boundary, " << n_wrong << " wrong" << std::endl;
+  check(
+    "no other face is found",
+    index.find(make_entity_key(std::vector<unsigned int>{0, 1, 1000})).empty());
 }
 
 
+/** The cell across a face has the same face. */
 template <int dim>
 void
 test_neighbors(const CoarseMesh<dim> &mesh)
 {
   const auto neighbors = collect_neighbors(mesh);
-  bool symmetric       = true;
+  bool symmetric = true, same_face = true;
   unsigned int n_pairs = 0;
   for (unsigned int cell = 0; cell < neighbors.size(); ++cell)
-    for (const unsigned int other : neighbors[cell])
-      {
-        ++n_pairs;
-        symmetric = symmetric && std::count(neighbors[other].begin(),
-                                            neighbors[other].end(),
-                                            cell) == 1;
-      }
+    for (unsigned int face = 0; face < neighbors[cell].size(); ++face)
+      if (const unsigned int other = neighbors[cell][face];
+          other != numbers::invalid_unsigned_int)
+        {
+          ++n_pairs;
+          symmetric = symmetric && std::count(neighbors[other].begin(),
+                                              neighbors[other].end(),
+                                              cell) == 1;
+          const auto back =
+            std::find(neighbors[other].begin(), neighbors[other].end(), cell);
+          const unsigned int other_face = back - neighbors[other].begin();
+          same_face = same_face && mesh.face_key({cell, face}) ==
+                                     mesh.face_key({other, other_face});
+        }
   std::cout << "the corner cell's neighbors:";
   std::set<unsigned int> of_first(neighbors[0].begin(), neighbors[0].end());
+  of_first.erase(numbers::invalid_unsigned_int);
   for (const unsigned int cell : of_first)
     std::cout << " " << cell;
   std::cout << "; neighbors of all cells: " << n_pairs << std::endl;
   check("neighbors are mutual", symmetric);
+  check("across the same face", same_face);
 }
 
 
@@ -86,7 +110,7 @@ test_volume(const CoarseMesh<dim> &mesh)
 {
   double volume = 0;
   for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-    volume += mesh.cell_volume(cell);
+    volume += volume_of_element(mesh.node_positions(cell));
   check_below("volume, error", std::abs(volume - (dim == 3 ? 6 : 2)), 1e-13);
   check_below("extent, error", std::abs(mesh.extent() - dim), 1e-13);
 }
@@ -103,48 +127,35 @@ print_pieces(const CoarseMesh<dim> &mesh)
 }
 
 
-/** Give the cells `own` vertices of their own. */
-template <int dim>
-CoarseMesh<dim>
-detach(CoarseMesh<dim> mesh, const std::set<unsigned int> &own)
-{
-  std::map<unsigned int, unsigned int> copies;
-  for (const unsigned int cell : own)
-    for (unsigned int &vertex : mesh.cells[cell].vertices)
-      {
-        const auto [copy, is_new] =
-          copies.emplace(vertex, mesh.vertices.size());
-        if (is_new)
-          mesh.vertices.push_back(mesh.vertices[vertex]);
-        vertex = copy->second;
-      }
-  return mesh;
-}
-
-
-/** A triangulation has the cells under the same numbers, and their ids. */
+/** A triangulation has the cells under the same numbers, with their faces. */
 template <int dim>
 void
 test_triangulation(const CoarseMesh<dim> &mesh)
 {
   Triangulation<dim> triangulation;
   create_triangulation(mesh, triangulation);
-  double error  = triangulation.n_active_cells() == mesh.cells.size() ? 0 : 1;
-  bool same_ids = true;
+  const auto neighbors = collect_neighbors(mesh);
+  double error = triangulation.n_active_cells() == mesh.cells.size() ? 0 : 1;
+  bool same_boundary = true;
   for (const auto &cell : triangulation.active_cell_iterators())
     {
-      error = std::max(
-        error, cell->center().distance(mesh.cell_center(cell->index())));
+      const unsigned int index = cell->index();
+      error = std::max(error, cell->center().distance(mesh.cell_center(index)));
       for (const unsigned int face : cell->face_indices())
         {
-          const auto id = mesh.boundary_ids.find({cell->index(), face});
-          if (id != mesh.boundary_ids.end())
-            same_ids = same_ids && cell->face(face)->at_boundary() &&
-                       cell->face(face)->boundary_id() == id->second;
+          Point<dim> center;
+          for (const unsigned int vertex : mesh.face_key({index, face}))
+            if (vertex != numbers::invalid_unsigned_int)
+              center += mesh.vertices[vertex] /
+                        double(GeometryInfo<dim>::vertices_per_face);
+          error = std::max(error, cell->face(face)->center().distance(center));
+          same_boundary = same_boundary && cell->face(face)->at_boundary() ==
+                                             (neighbors[index][face] ==
+                                              numbers::invalid_unsigned_int);
         }
     }
-  check_below("triangulation, distance of cells", error, 1e-13);
-  check("triangulation, boundary ids", same_ids);
+  check_below("triangulation, distance of cells and faces", error, 1e-13);
+  check("triangulation, boundary", same_boundary);
 }
 
 
@@ -153,7 +164,7 @@ void
 test()
 {
   const CoarseMesh<dim> &mesh = small_body<dim>().mesh;
-  test_faces(mesh);
+  test_faces(small_body<dim>());
   test_neighbors(mesh);
   test_volume(mesh);
   print_pieces(mesh);

@@ -2,6 +2,7 @@
 // {"Body/Size=1,2,3", "Support/Fixed faces=bottom"}.
 #pragma once
 
+#include <setsudan/body/body_parameters.h>
 #include <setsudan/body/supports.h>
 
 #include <string>
@@ -33,7 +34,7 @@ struct SmallBody
   }
 
   explicit SmallBody(const Parameters &parameters)
-    : body(BodyParameters<dim>(parameters))
+    : body(make_body(parameters, BodyParameters<dim>(parameters)))
     , supports(SupportParameters<dim>(parameters, body), body)
   {
   }

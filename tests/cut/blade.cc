@@ -1,11 +1,26 @@
 // Rows, board and lever rule of the blade, without solving.
 
+#include <setsudan/body/point_name.h>
 #include <setsudan/cut/seam.h>
 #include <setsudan/simulation/cut_body.h>
+
+#include <map>
 
 #include "../test_setup.h"
 
 using namespace Setsudan;
+
+/** The number of each node by its name. */
+std::map<PointName, unsigned int>
+number_nodes(const Body<3> &body)
+{
+  std::map<PointName, unsigned int> numbers;
+  for (unsigned int element = 0; element < body.mesh.cells.size(); ++element)
+    for (unsigned int node = 0; node < n_element_nodes<3>; ++node)
+      numbers[name_of_point(body.mesh, element, unit_point_of_node<3>(node))] =
+        body.node_numbers[element][node];
+  return numbers;
+}
 
 void
 print_rows(const std::string &elements,
@@ -22,7 +37,8 @@ print_rows(const std::string &elements,
                               Scene<3>::declare);
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
-  body.approach(make_cut_surface(scene.body, scene.cut.surfaces[0]));
+  body.approach(scene.cut.cuts[0]);
+  const auto numbers = number_nodes(scene.body);
   std::cout << elements << " " << surface << " along " << direction << ", "
             << release << ":" << std::endl;
   for (const auto &row : body.seam().rows())
@@ -30,7 +46,7 @@ print_rows(const std::string &elements,
       std::cout << "  depth " << row.depth << ", " << row.pairs.size()
                 << " nodes, front";
       for (const unsigned int pair : row.front)
-        std::cout << " " << body.seam().pairs()[pair].number;
+        std::cout << " " << numbers.at(body.seam().pairs()[pair].name);
       std::cout << std::endl;
     }
 }

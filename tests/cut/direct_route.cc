@@ -114,8 +114,8 @@ private:
     const bool copy =
       is_plus(element) && is_split(element, node) && component != c.axis;
     const auto inserted = unknowns.emplace(
-      std::make_pair(
-        Node(scene.body.numbering.node_number(element, node), copy), component),
+      std::make_pair(Node(scene.body.node_numbers[element][node], copy),
+                     component),
       n_unknowns);
     n_unknowns += inserted.second;
     return inserted.first->second;
@@ -184,7 +184,7 @@ compare(const Case &c)
                               Scene<3>::declare);
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
-  body.approach(make_cut_surface(scene.body, scene.cut.surfaces[0]));
+  body.approach(scene.cut.cuts[0]);
   body.open();
   const unsigned int n_rows = body.seam().rows().size();
   std::cout << c.surface << " along " << c.direction << ": " << n_rows
@@ -194,11 +194,8 @@ compare(const Case &c)
       if (row > 0)
         body.seam().set_row_state(row - 1, Seam<3>::State::opened);
       const auto &discretization = body.model->discretization;
-      const auto state           = solve_state(scene,
-                                     body,
-                                     blade_on_row(scene, body, row),
-                                     1,
-                                     discretization.zero_vector());
+      const auto state           = solve_state(
+        scene, body, blade_on_row(body, row), 1, discretization.zero_vector());
       const auto u = discretization.with_ghosts(state.displacement);
 
       const auto &front_pair =

@@ -18,37 +18,67 @@ void
 check(const std::string &name,
       const FrontStresses &base,
       const FrontStresses &per_load,
-      const double required,
+      const double sharpness,
       const double max_factor,
       const double expected)
 {
   const auto load =
-    find_yield_load(base, per_load, required, max_factor, MPI_COMM_WORLD);
+    find_yield_load(base, per_load, sharpness, max_factor, MPI_COMM_WORLD);
   check_below(
     name, std::abs(load.load_factor - expected), 1e-12 * (1 + expected));
   std::cout << "  " << (load.yields ? "yields" : "does not yield") << " at "
-            << load.cutting_stress << std::endl;
+            << load.stress.reached << " of " << load.stress.required
+            << std::endl;
+}
+
+/** All in one material, a blade of sharpness 1/2. */
+void
+check_one_material(const std::string &name,
+                   const std::vector<double> &base,
+                   const std::vector<double> &per_load,
+                   const double required,
+                   const double max_factor,
+                   const double expected)
+{
+  const auto stresses = [&](const std::vector<double> &shears) {
+    FrontStresses result;
+    for (const double tau : shears)
+      result.push_back({shear(tau), 2 * required});
+    return result;
+  };
+  check(name, stresses(base), stresses(per_load), 0.5, max_factor, expected);
 }
 
 int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    check("proportional", {shear(0)}, {shear(0.25)}, 0.5, 10, 2);
-    check(
-      "beyond the largest factor", {shear(0)}, {shear(0.25)}, 0.5, 1.9, 1.9);
-    check("stressed before", {shear(0.3)}, {shear(0.1)}, 0.5, 10, 2);
+    check_one_material("proportional", {0}, {0.25}, 0.5, 10, 2);
+    check_one_material("beyond the largest factor", {0}, {0.25}, 0.5, 1.9, 1.9);
+    check_one_material("stressed before", {0.3}, {0.1}, 0.5, 10, 2);
     // The load first relieves the stress, and then turns it round.
-    check("relieved first", {shear(-0.3)}, {shear(0.1)}, 0.5, 10, 8);
-    check("yields at rest", {shear(0.6)}, {shear(0.1)}, 0.5, 10, 0);
-    check("nothing is required", {shear(0)}, {shear(0.1)}, 0, 10, 0);
+    check_one_material("relieved first", {-0.3}, {0.1}, 0.5, 10, 8);
+    check_one_material("yields at rest", {0.6}, {0.1}, 0.5, 10, 0);
+    check("nothing is required", {{shear(0), 1}}, {{shear(0.1), 1}}, 1, 10, 0);
     // Of two elements the one that overtakes the other decides.
-    check("two elements",
-          {shear(0.2), shear(0)},
-          {shear(0.1), shear(0.3)},
-          1.2,
+    check_one_material("two elements", {0.2, 0}, {0.1, 0.3}, 1.2, 10, 4);
+    // Of two materials the weaker one, although its stress is smaller.
+    check("two materials",
+          {{shear(0.2), 2}, {shear(0.05), 0.5}},
+          {{shear(0.2), 2}, {shear(0.1), 0.5}},
+          0.5,
           10,
-          4);
+          2);
+    // The stronger one, where its stress is that much larger.
+    check("the stronger of two",
+          {{shear(0), 2}, {shear(0), 0.5}},
+          {{shear(0.5), 2}, {shear(0.1), 0.5}},
+          0.5,
+          10,
+          2);
+    const auto yields = [](const double reached, const double required) {
+      return CuttingStress{reached, required}.yields();
+    };
     std::cout << "yields() below, at, above: " << yields(0.4, 0.5)
               << yields(0.5, 0.5) << yields(0.6, 0.5) << ", without need "
               << yields(0, 0) << std::endl;

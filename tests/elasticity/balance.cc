@@ -58,22 +58,21 @@ test_body_at_rest(const Assignments &assignments)
   SolvedModel<dim> solved(assignments);
   auto &model                = solved.model;
   const auto &discretization = model.discretization;
-  const LA::Vector loads     = discretization.zero_vector();
-  const auto balance         = [&](const LA::Vector &displacement,
+  // The nodal force of the assignments stands for the blade.
+  const LA::Vector applied = model.loads;
+  model.loads              = 0;
+  const auto balance       = [&](const LA::Vector &displacement,
                            const std::vector<PointForce<dim>> &blade) {
     return check_balance(
-      discretization,
-      model.supported,
+      model,
       internal_forces(discretization,
                       model.stiffness,
                       discretization.with_ghosts(displacement)),
-      loads,
-      model.loads,
+      applied,
       blade);
   };
 
-  // The nodal force of the assignments stands for the blade: a sixth of a body
-  // length beside where it acts, if it is moved.
+  // A sixth of a body length beside where it acts, if it is moved.
   Point<dim> corner, beside;
   beside[0] = 1;
   Tensor<1, dim> force;
@@ -92,6 +91,29 @@ test_body_at_rest(const Assignments &assignments)
 }
 
 
+/** Of a body with hanging nodes, some of them on the support and on a loaded
+ * face: what acts there is handed on to their neighbors, with its moments. */
+template <int dim>
+void
+test_hanging_nodes(const Assignments &assignments)
+{
+  const unsigned int last = dim == 3 ? 5 : 2;
+  SolvedModel<dim> solved(assignments, {0, {{0, 1}, {last, 1}}});
+  auto &model                = solved.model;
+  const auto &discretization = model.discretization;
+  const LA::Vector internal =
+    internal_forces(discretization,
+                    model.stiffness,
+                    discretization.with_ghosts(solved.displacement));
+  std::cout << dim << "D, " << discretization.triangulation.n_active_cells()
+            << " cells, " << model.hanging.n_constraints()
+            << " hanging unknowns" << std::endl;
+  const auto balance = check_balance<dim>(model, internal, model.loads, {});
+  print("at rest", balance);
+  std::cout << "reaction " << balance.reaction[dim - 1] << std::endl;
+}
+
+
 int
 main(int argc, char **argv)
 {
@@ -106,5 +128,15 @@ main(int argc, char **argv)
                           "Body/Elements=3,1",
                           "Support/Fixed faces=right",
                           "Load/Nodal forces=0 : 0, -3"});
+    test_hanging_nodes<3>({"Body/Size=6,2,2",
+                           "Body/Elements=3,2,1",
+                           "Support/Fixed faces=right",
+                           "Load/Body force=0, 0, -1",
+                           "Load/Pressures=left : 2; top : 0.5"});
+    test_hanging_nodes<2>({"Body/Size=6,2",
+                           "Body/Elements=3,2",
+                           "Support/Fixed faces=right",
+                           "Load/Body force=0, -1",
+                           "Load/Pressures=left : 2; top : 0.5"});
   });
 }

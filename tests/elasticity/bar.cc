@@ -1,7 +1,7 @@
 // Bars whose displacement is a polynomial that the elements contain: pulled by
-// a force F on their end, sigma = F / A; standing under their own weight, the
-// top sinks by rho g h^2 / (2 E). Without lateral contraction, nu = 0, the
-// fixed end does not disturb them.
+// a force F on their end, sigma = F / A, or by a clamp that moves it; standing
+// under their own weight, the top sinks by rho g h^2 / (2 E). Without lateral
+// contraction, nu = 0, the fixed end does not disturb them.
 
 #include <setsudan/elasticity/balance.h>
 #include <setsudan/elasticity/strain_recovery.h>
@@ -33,11 +33,11 @@ compare(SolvedModel<dim> &solved,
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     {
       recovery.reinit(cell, u);
-      const auto nodes = discretization.node_indices(cell);
+      const auto nodes     = discretization.node_indices(cell);
+      const auto positions = discretization.node_positions(cell);
       for (unsigned int node = 0; node < nodes.size(); ++node)
         {
-          const double z = solved.body.mesh.node_position(
-            discretization.element(cell), node)[dim - 1];
+          const double z = positions[node][dim - 1];
           for (unsigned int c = 0; c < dim; ++c)
             u_error = std::max(u_error,
                                std::abs(u(nodes[node][c]) -
@@ -46,7 +46,7 @@ compare(SolvedModel<dim> &solved,
           expected[dim - 1][dim - 1] = stress(z);
           stress_error               = std::max(
             stress_error,
-            (solved.model.material.stress(recovery.strain(node)) - expected)
+            (solved.model.hooke(cell).stress(recovery.strain(node)) - expected)
               .norm());
           u_max      = std::max(u_max, std::abs(displacement(z)));
           stress_max = std::max(stress_max, std::abs(stress(z)));
@@ -58,8 +58,8 @@ compare(SolvedModel<dim> &solved,
 
 
 template <int dim>
-double
-reaction(SolvedModel<dim> &solved)
+BodyBalance<dim>
+balance(SolvedModel<dim> &solved)
 {
   auto &model                = solved.model;
   const auto &discretization = model.discretization;
@@ -67,19 +67,13 @@ reaction(SolvedModel<dim> &solved)
     internal_forces(discretization,
                     model.stiffness,
                     discretization.with_ghosts(solved.displacement));
-  return check_balance<dim>(discretization,
-                            model.supported,
-                            internal,
-                            model.loads,
-                            model.loads,
-                            {})
-    .reaction[dim - 1];
+  return check_balance<dim>(model, internal, model.loads, {});
 }
 
 
 template <int dim>
 void
-test()
+test(const Refinement &refinement)
 {
   std::cout << dim << "D" << std::endl;
   Assignments bar = {dim == 3 ? "Body/Size=2, 3, 10" : "Body/Size=2, 10",
@@ -91,31 +85,44 @@ test()
   Assignments pulled = bar;
   pulled.push_back(dim == 3 ? "Load/Tractions=top : 0, 0, 0.25"
                             : "Load/Tractions=top : 0, 0.25");
-  SolvedModel<dim> pulled_bar(pulled);
+  SolvedModel<dim> pulled_bar(pulled, refinement);
   compare<dim>(
     pulled_bar,
     [](const double z) { return 0.25 / E * z; },
     [](const double) { return 0.25; });
-  std::cout << "reaction " << reaction(pulled_bar) << std::endl;
+  std::cout << "reaction " << balance(pulled_bar).reaction[dim - 1]
+            << std::endl;
 
   Assignments pressed = bar;
   pressed.push_back("Load/Pressures=top : 0.25");
-  SolvedModel<dim> pressed_bar(pressed);
+  SolvedModel<dim> pressed_bar(pressed, refinement);
   compare<dim>(
     pressed_bar,
     [](const double z) { return -0.25 / E * z; },
     [](const double) { return -0.25; });
 
+  Assignments moved = bar;
+  moved.push_back(dim == 3 ? "Support/Displacements=top : free, free, 0.5"
+                           : "Support/Displacements=top : free, 0.5");
+  SolvedModel<dim> moved_bar(moved, refinement);
+  compare<dim>(
+    moved_bar,
+    [](const double z) { return 0.5 * z / height; },
+    [](const double) { return 0.5 * E / height; });
+  std::cout << "reaction " << balance(moved_bar).reaction[dim - 1] << ", clamp "
+            << balance(moved_bar).clamp_force[dim - 1] << std::endl;
+
   Assignments heavy = bar;
   heavy.push_back(dim == 3 ? "Load/Body force=0, 0, -0.1"
                            : "Load/Body force=0, -0.1");
-  SolvedModel<dim> column(heavy);
+  SolvedModel<dim> column(heavy, refinement);
   compare<dim>(
     column,
     [](const double z) { return -0.1 / E * (height * z - z * z / 2); },
     [](const double z) { return -0.1 * (height - z); });
-  std::cout << "reaction " << reaction(column) << ", the top sinks by "
-            << column.displacement.linfty_norm() << std::endl;
+  std::cout << "reaction " << balance(column).reaction[dim - 1]
+            << ", the top sinks by " << column.displacement.linfty_norm()
+            << std::endl;
 }
 
 
@@ -123,7 +130,12 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    test<2>();
-    test<3>();
+    test<2>({});
+    test<3>({});
+    // Refined once, and in the cell at the origin once or twice more: as well
+    // where the bar is held, and in the middle.
+    std::cout << "refined" << std::endl;
+    test<2>({1, {{0, 4}}});
+    test<3>({0, {{0, 1}, {0, 15}, {2, 1}}});
   });
 }

@@ -1,6 +1,6 @@
 // The stiffness matrix of an element: symmetric, without resistance to rigid
 // motions and to nothing else, the right energy; and integrated once for all
-// elements of a box.
+// elements of a box that are of one material.
 
 #include <setsudan/elasticity/stiffness.h>
 
@@ -30,8 +30,9 @@ test_matrix(const std::string &name,
             const CoarseMesh<dim> &mesh,
             const double nu)
 {
-  const Discretization<dim> discretization(mesh, MPI_COMM_WORLD);
-  ElementStiffness<dim> stiffness(discretization, Hooke(5., nu));
+  const Discretization<dim> discretization(mesh, {}, MPI_COMM_WORLD);
+  const auto material = material_of(mesh, 5., nu);
+  ElementStiffness<dim> stiffness(discretization, material);
   const auto cell = discretization.dof_handler.begin_active();
   const FullMatrix<double> matrix(stiffness(cell));
   const unsigned int n = matrix.m();
@@ -62,12 +63,12 @@ test_matrix(const std::string &name,
 /** In a uniform strain the nodes' work is twice the strain energy. */
 template <int dim>
 void
-test_energy(const std::string &n_elements)
+test_energy(const CoarseMesh<dim> &mesh, const Refinement &refinement)
 {
-  const CoarseMesh<dim> mesh = distorted(box<dim>(n_elements));
-  const Discretization<dim> discretization(mesh, MPI_COMM_WORLD);
-  const Hooke hooke(5., 0.3);
-  ElementStiffness<dim> stiffness(discretization, hooke);
+  const Discretization<dim> discretization(mesh, refinement, MPI_COMM_WORLD);
+  const auto material = material_of(mesh, 5., 0.3);
+  const Hooke &hooke  = material.of_element(0).hooke;
+  ElementStiffness<dim> stiffness(discretization, material);
 
   Tensor<2, dim> gradient;
   for (unsigned int a = 0; a < dim; ++a)
@@ -85,7 +86,7 @@ test_energy(const std::string &n_elements)
     for (unsigned int b = 0; b < dim; ++b)
       density += strain[a][b] * stress[a][b];
   for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-    volume += mesh.cell_volume(cell);
+    volume += volume_of_element(mesh.node_positions(cell));
   check_below("energy of a uniform strain, relative error",
               std::abs(u * forces / (volume * density) - 1),
               1e-12);
@@ -97,8 +98,9 @@ template <int dim>
 unsigned int
 n_integrations(const CoarseMesh<dim> &mesh)
 {
-  const Discretization<dim> discretization(mesh, MPI_COMM_WORLD);
-  ElementStiffness<dim> stiffness(discretization, Hooke(5., 0.2));
+  const Discretization<dim> discretization(mesh, {}, MPI_COMM_WORLD);
+  const auto material = material_of(mesh, 5., 0.2);
+  ElementStiffness<dim> stiffness(discretization, material);
   for (unsigned int repeat = 0; repeat < 2; ++repeat)
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       stiffness(cell);
@@ -115,6 +117,34 @@ test_integrations()
         n_integrations(box<3>("1, 300, 1")) == 1);
   check("elements that differ are not mistaken for each other",
         n_integrations(distorted(box<3>("3, 1, 1"))) >= 3);
+  check("nor those that differ in a middle node",
+        n_integrations(curved(box<3>("3, 1, 1"))) >= 3);
+}
+
+
+/** Of two materials, side by side: each cell has the matrix of its own, and one
+ * is integrated for each change from one to the other. */
+template <int dim>
+void
+test_materials()
+{
+  Body<dim> body;
+  body.mesh = box<dim>(dim == 3 ? "6, 1, 1" : "6, 1");
+  body.groups.push_back({"soft", 1, dim, {2, 3, 5}, {}});
+  const MaterialParameters<dim> materials(
+    parameters_of({"Material/Young's modulus=5; soft : 0.5"},
+                  MaterialParameters<dim>::declare),
+    body);
+  const Discretization<dim> discretization(body.mesh, {}, MPI_COMM_WORLD);
+  ElementStiffness<dim> stiffness(discretization, materials);
+  std::vector<double> norms(6);
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    norms[discretization.element(cell)] = stiffness(cell).frobenius_norm();
+  std::cout << dim << "D, two materials:";
+  for (const double norm : norms)
+    std::cout << " " << norm / norms[0];
+  std::cout << ", " << stiffness.n_integrations() << " integrations"
+            << std::endl;
 }
 
 
@@ -129,8 +159,19 @@ main(int argc, char **argv)
         test_matrix("cube", box<3>("1, 1, 1"), nu);
         test_matrix("distorted", distorted(box<3>("1, 1, 1")), nu);
       }
-    test_energy<2>("3, 2");
-    test_energy<3>("2, 3, 2");
+    test_matrix("curved", curved(box<2>("1, 1")), 0.2);
+    test_matrix("curved", curved(box<3>("1, 1, 1")), 0.2);
+    const Refinement everywhere{1, {}};
+    const auto plane = box<2>("3, 2");
+    const auto space = box<3>("2, 3, 2");
+    test_energy(distorted(plane), {});
+    test_energy(distorted(space), {});
+    test_energy(distorted(plane), everywhere);
+    test_energy(curved(plane), {});
+    test_energy(curved(plane), everywhere);
+    test_energy(curved(space), {});
     test_integrations();
+    test_materials<2>();
+    test_materials<3>();
   });
 }

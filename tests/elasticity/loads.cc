@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "../body/detach.h"
 #include "../test_setup.h"
 #include "small_model.h"
 
@@ -28,9 +29,8 @@ forces_by_number(const SmallModel<dim> &small)
       for (unsigned int node = 0; node < nodes.size(); ++node)
         for (unsigned int c = 0; c < dim; ++c)
           if (seen.insert(nodes[node][c]).second)
-            forces[small.body.numbering.node_number(
-              discretization.element(cell), node)][c] +=
-              small.model.loads(nodes[node][c]);
+            forces[small.body.node_numbers[discretization.element(cell)][node]]
+                  [c] += small.model.loads(nodes[node][c]);
     }
   return forces;
 }
@@ -100,15 +100,7 @@ test_nodal_forces()
     if (force.norm() > 0)
       std::cout << "node " << number << ": " << force << std::endl;
 
-  CoarseMesh<3> split = small.body.mesh;
-  std::map<unsigned int, unsigned int> copies;
-  for (const unsigned int cell : {1, 3})
-    for (unsigned int &vertex : split.cells[cell].vertices)
-      {
-        if (copies.emplace(vertex, split.vertices.size()).second)
-          split.vertices.push_back(split.vertices[vertex]);
-        vertex = copies[vertex];
-      }
+  const CoarseMesh<3> split = detach<3>(small.body.mesh, {1, 3});
   const SmallModel<3> cut(assignments, &split);
   std::set<types::global_dof_index> seen;
   const auto &discretization = cut.model.discretization;

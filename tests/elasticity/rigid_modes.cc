@@ -17,6 +17,20 @@ using namespace dealii;
 template <int dim>
 using Points = std::vector<Point<dim>>;
 
+template <int dim>
+using HeldPoints = std::vector<HeldPoint<dim>>;
+
+/** Points that are held in all directions. */
+template <int dim>
+HeldPoints<dim>
+fix(const Points<dim> &points)
+{
+  HeldPoints<dim> held;
+  for (const auto &point : points)
+    held.push_back({point, std::bitset<dim>().set()});
+  return held;
+}
+
 /** The corners of a box from `origin` to `origin + size`. */
 template <int dim>
 Points<dim>
@@ -54,11 +68,11 @@ test_modes()
 }
 
 
-/** The smallest singular value of what the hold and the fixed points stop,
+/** The smallest singular value of what the hold and the held points stop,
  * in motions that are scaled with the body: 0 if a motion is left. */
 template <int dim>
 double
-firmness(const Points<dim> &fixed,
+firmness(const HeldPoints<dim> &fixed,
          const Points<dim> &candidates,
          const std::vector<PointComponent> &hold)
 {
@@ -67,7 +81,8 @@ firmness(const Points<dim> &fixed,
     held.emplace_back(candidates[point], component);
   for (const auto &point : fixed)
     for (unsigned int c = 0; c < dim; ++c)
-      held.emplace_back(point, c);
+      if (point.components[c])
+        held.emplace_back(point.position, c);
 
   const Tensor<1, dim> diagonal = candidates.back() - candidates.front();
   const Point<dim> center       = candidates.front() + diagonal / 2;
@@ -87,7 +102,7 @@ template <int dim>
 void
 test_hold(const std::string &name,
           const Points<dim> &candidates,
-          const Points<dim> &fixed)
+          const HeldPoints<dim> &fixed)
 {
   const auto hold = find_minimal_hold(fixed, candidates);
   std::cout << dim << "D, " << name << ": " << hold.size() << " to hold, "
@@ -102,13 +117,22 @@ test_space(const std::string &name, const Points<3> &c)
 {
   std::cout << name << std::endl;
   test_hold<3>("free", c, {});
-  test_hold<3>("one fixed point", c, {c[3]});
-  test_hold<3>("the same point twice", c, {c[3], c[3]});
-  test_hold<3>("two fixed points", c, {c[0], c[1]});
-  test_hold<3>("three on a line", c, {c[0], c[1], c[0] + (c[1] - c[0]) / 2});
-  test_hold<3>("three fixed points", c, {c[0], c[1], c[2]});
-  test_hold<3>("a fixed face", c, {c[0], c[1], c[2], c[3]});
-  test_hold<3>("a fixed body", c, c);
+  const auto fix = [](const Points<3> &points) { return ::fix<3>(points); };
+  test_hold<3>("one fixed point", c, fix({c[3]}));
+  test_hold<3>("the same point twice", c, fix({c[3], c[3]}));
+  test_hold<3>("two fixed points", c, fix({c[0], c[1]}));
+  test_hold<3>(
+    "three on a line", c, fix({c[0], c[1], c[0] + (c[1] - c[0]) / 2}));
+  test_hold<3>("three fixed points", c, fix({c[0], c[1], c[2]}));
+  test_hold<3>("a fixed face", c, fix({c[0], c[1], c[2], c[3]}));
+  test_hold<3>("a fixed body", c, fix(c));
+  // Some components only, as bits: x is 1, y is 2, z is 4.
+  test_hold<3>("a point in x", c, {{c[3], 1}});
+  test_hold<3>("a board under it", c, {{c[0], 4}, {c[1], 4}, {c[2], 4}});
+  test_hold<3>("a board, one point too many",
+               c,
+               {{c[0], 4}, {c[1], 4}, {c[2], 4}, {c[3], 4}});
+  test_hold<3>("three planes", c, {{c[0], 7}, {c[1], 6}, {c[2], 4}, {c[3], 4}});
 }
 
 
@@ -117,9 +141,12 @@ test_plane(const std::string &name, const Points<2> &c)
 {
   std::cout << name << std::endl;
   test_hold<2>("free", c, {});
-  test_hold<2>("one fixed point", c, {c[2]});
-  test_hold<2>("two fixed points", c, {c[0], c[3]});
-  test_hold<2>("a fixed side", c, {c[0], c[1]});
+  test_hold<2>("one fixed point", c, fix<2>({c[2]}));
+  test_hold<2>("two fixed points", c, fix<2>({c[0], c[3]}));
+  test_hold<2>("a fixed side", c, fix<2>({c[0], c[1]}));
+  test_hold<2>("a point in x", c, {{c[2], 1}});
+  test_hold<2>("a side in y", c, {{c[0], 2}, {c[1], 2}});
+  test_hold<2>("two sides", c, {{c[0], 3}, {c[1], 2}});
 }
 
 

@@ -18,15 +18,17 @@ struct SolvedModel : SmallModel<dim>
     SolverParameters::declare(handler);
   }
 
-  explicit SolvedModel(const Parameters &parameters)
-    : SmallModel<dim>(parameters, nullptr)
+  explicit SolvedModel(const Parameters &parameters,
+                       const Refinement &refinement = {})
+    : SmallModel<dim>(parameters, nullptr, refinement)
     , solver_parameters(parameters)
     , displacement(solve())
   {
   }
 
-  explicit SolvedModel(const Assignments &assignments)
-    : SolvedModel(parameters_of(assignments, declare))
+  explicit SolvedModel(const Assignments &assignments,
+                       const Refinement &refinement = {})
+    : SolvedModel(parameters_of(assignments, declare), refinement)
   {
   }
 
@@ -37,10 +39,14 @@ private:
   LA::Vector
   solve()
   {
-    auto &model           = this->model;
-    const LA::Vector zero = model.discretization.zero_vector();
-    return Equilibrium<dim>(model, model.supports, solver_parameters)
-      .solve(model.loads, zero, zero);
+    using Constraints = dealii::AffineConstraints<double>;
+    auto &model       = this->model;
+    Constraints constraints(model.discretization.relevant);
+    constraints.merge(model.hanging);
+    constraints.merge(model.supports);
+    constraints.close();
+    return Equilibrium<dim>(model, constraints, solver_parameters)
+      .solve(model.loads, model.prescribed, model.discretization.zero_vector());
   }
 };
 } // namespace Setsudan

@@ -10,8 +10,8 @@ import sys
 
 ROOMS = [
     "parameters",
-    "body",
     "element",
+    "body",
     "elasticity",
     "solver",
     "cut",

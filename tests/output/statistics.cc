@@ -17,7 +17,9 @@ using namespace Setsudan;
 const std::string contract =
   "frame,event,cut,row,released_rows,depth,load_factor,blade_force,"
   "cutting_stress,required_stress,strain_energy,potential_energy,"
-  "max_displacement,force_residual,moment_residual,min_jacobian,pieces,seconds";
+  "max_displacement,force_residual,moment_residual,min_jacobian,pieces,seconds,"
+  "max_strain,max_shear,reaction_x,reaction_y,reaction_z,clamp_x,clamp_y,"
+  "clamp_z";
 
 
 std::vector<std::string>
@@ -54,6 +56,10 @@ numbered_event()
   event.min_jacobian     = 16;
   event.pieces           = 17;
   event.seconds          = 18;
+  event.max_strain       = 19;
+  event.max_shear        = 20;
+  event.reaction         = {{21, 22, 23}};
+  event.clamp_force      = {{24, 25, 26}};
   return event;
 }
 
@@ -72,6 +78,27 @@ test_columns(const std::vector<std::string> &lines)
     if (values[c] != std::to_string(c + 1) && names[c] != "event")
       std::cout << "FAILED: " << names[c] << " is " << values[c] << std::endl;
   std::cout << "event is " << values[1] << std::endl;
+}
+
+
+/** The last column is a list of pieces. */
+void
+test_pieces(Statistics &statistics, const OutputDirectory &directory)
+{
+  const auto lines = read_lines();
+  check("the last column is row_pieces",
+        split(lines[0], ',').back() == "row_pieces");
+  // numdiff takes texts for numbers, and would not see all differences.
+  Event event;
+  const auto is_written_as = [&](const std::string &text) {
+    statistics.add(event, directory);
+    return split(read_lines().back(), ',').back() == text;
+  };
+  check("the first piece", is_written_as("0"));
+  event.row_pieces = {3};
+  check("one piece", is_written_as("3"));
+  event.row_pieces = {1, 2, 10};
+  check("several pieces", is_written_as("1+2+10"));
 }
 
 
@@ -102,6 +129,7 @@ main(int argc, char **argv)
     std::cout << read_lines().size() << " lines" << std::endl;
     test_columns(read_lines());
     test_digits(statistics, directory);
+    test_pieces(statistics, directory);
     std::cout << read_lines().size() << " lines" << std::endl;
     test_columns(read_lines());
   });

@@ -108,6 +108,19 @@ test_refusals()
 }
 
 
+/** Files are looked for where the scene is. */
+void
+test_path()
+{
+  for (const std::string scene : {"scene.prm", "a/b/scene.prm", "/a/scene.prm"})
+    for (const std::string file : {"body.msh", "parts/body.msh", "/b/body.msh"})
+      std::cout << "'" << file << "' in '" << scene << "' is '"
+                << Parameters(scene, {{"", "Top", file, "1"}}, declare_all)
+                     .path("", "Top")
+                << "'" << std::endl;
+}
+
+
 /** What is printed is a scene file with the same values. */
 void
 test_print()
@@ -128,6 +141,7 @@ main(int argc, char **argv)
   return run_test(argc, argv, [] {
     test_values();
     test_refusals();
+    test_path();
     test_print();
   });
 }

@@ -111,6 +111,12 @@ def support():
         "scene.prm (default value): subsection Support, 'Fixed faces' is ''",
         "free to move rigidly in 6 ways",
     )
+    yield wrong_text(
+        "some components only",
+        scene_text({**values, "Support/Fixed components": "bottom : yz"})[0],
+        "subsection Support",
+        "free to move rigidly in 1 way.",
+    )
 
 
 def cases(group):

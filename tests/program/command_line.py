@@ -34,8 +34,10 @@ CASES = [
     case(0, ["plane.prm", "--validate"], "plane.prm is a valid scene"),
     case(0, ["--validate", "--set", "Body/Elements=1,4,2", "scene.prm"], "valid"),
     case(0, ["scene.prm", "--validate"], "valid", files=WINDOWS_SCENE),
+    # A direction that is not quite along the cut is projected.
+    case(0, ["scene.prm", "--validate", "--set", "Blade/Direction=0,0.9,-1"], "valid"),
     case(0, ["--print-parameters"], "subsection Material", "set Young's modulus"),
-    case(0, ["plane.prm", "--print-parameters"], "set Size     = 10, 10\n"),
+    case(0, ["plane.prm", "--print-parameters"], "set Size       = 10, 10\n"),
     case(0, ["--print-parameters", "--set", "Body/Size=7,8,9"], "= 7,8,9"),
 ]
 

@@ -5,19 +5,38 @@ else the scene has to say."""
 # Parts of the messages that several cases share; PATTERN stands for what deal.II
 # says about its patterns, which may change with its version.
 PATTERN = ""
-COMPONENTS = "'face : 3 components'"
+COMPONENTS = "'group : 3 components'"
+PRESSURE = "'group : pressure'"
 NODES = "node numbers from 0 to 31"
 EDGE_LOADS = "a list of 'position : force'"
+ONE_FOR_EACH = "one item for all cuts, or one for each"
 FROM_1 = "for y a boundary from 1 to 1"
+PLANE = "'plane : px, py, pz ; nx, ny, nz'"
+EXPRESSION = "'where : expression' in x,y,z"
+EXTENT = "'all', 'depth : d' with d greater than 0, or 'box"
+NOTHING = "touches no face of an element inside the body"
 E = "Material/Young's modulus"
 NU = "Material/Poisson's ratio"
 NO_FACES = {"Support/Fixed faces": ""}
+A_FILE = {"Body/Shape": "file"}
 
 WRONG_VALUES = {
     ("body", 3): [
         ("Dimension", "4", "2 (plane strain) or 3"),
         ("Dimension", "three", "2 (plane strain) or 3"),
         ("Body/Shape", "sphere", "box"),
+        ("Body/File", "body.msh", "nothing with box"),
+        ("Body/File", "missing.msh", "a gmsh file that can be used", A_FILE),
+        ("Body/File", "scene.prm", "a gmsh file that can be used", A_FILE),
+        ("Body/Scale", "0", "factors greater than 0"),
+        ("Body/Scale", "1, 2", "one factor, or one for each axis"),
+        ("Body/Scale", "1, 2, 3, 4", "3"),
+        ("Body/Scale", "big", PATTERN),
+        ("Body/Rotate", "90", "'axis : angle' with an axis of xyz"),
+        ("Body/Rotate", "w : 90", "'axis : angle' with an axis of xyz"),
+        ("Body/Translate", "1, 2", "3"),
+        ("Body/Refinement", "-1", PATTERN),
+        ("Body/Refinement", "11", PATTERN),
         ("Body/Size", "10, 0, 10", "greater than 0"),
         ("Body/Size", "10, -1, 10", "greater than 0"),
         ("Body/Size", "10, 10", "3"),
@@ -37,6 +56,7 @@ WRONG_VALUES = {
         ("Body/Size", "10, 10, 10", "2"),
         ("Body/Elements", "1, 2, 1", "2"),
         ("Body/Size", "10, 0", "greater than 0"),
+        ("Body/Rotate", "x : 90", "'axis : angle' with an axis of z"),
     ],
     ("material", 3): [
         (NU, "0.5", "greater than -1 and less than 0.5"),
@@ -57,6 +77,10 @@ WRONG_VALUES = {
         ("Material/Shear limit", "0", "greater than 0"),
         ("Material/Shear limit", "-1", "greater than 0"),
         ("Material/Linear range", "0", "greater than 0"),
+        (E, "5; cream : 0.5", "and 'cream' is none of them"),
+        (E, "5; top : 0.5", "groups of elements, and 'top' is none"),
+        (E, "top : 0.5", "groups of elements, and 'top' is none"),
+        (E, "5; 6", "one number without a group"),
     ],
     ("support", 3): [
         ("Support/Fixed faces", "floor", "left, right, front, back, bottom, top"),
@@ -66,6 +90,16 @@ WRONG_VALUES = {
         ("Support/Fixed faces", "", "in 6 ways"),
         ("Support/Fixed nodes", "0", "in 3 ways", NO_FACES),
         ("Support/Fixed nodes", "0, 2", "in 1 way.", NO_FACES),
+        ("Support/Fixed components", "bottom", "components of x, y and z"),
+        ("Support/Fixed components", "bottom : w", "components of x, y and z"),
+        ("Support/Fixed components", "floor : x", "left, right, front, back"),
+        ("Support/Fixed boxes", "0, 0, 0, 10, 10 : x", "largest coordinates"),
+        ("Support/Fixed boxes", "9, 0, 0, 1, 9, 9 : x", "largest coordinates"),
+        ("Support/Displacements", "top : 1, 2", "'group : ux, uy, uz'"),
+        ("Support/Displacements", "top : free, free, free", "'group : ux, uy, uz'"),
+        ("Support/Displacements", "front : 0, 0, 1", "agree with the other supports"),
+        ("Support/Displacements", "floor : 0, 0, 1", "left, right, front, back"),
+        ("Support/Loose pieces", "forget", "drop"),
         ("Support/Fixed nodes", "32", NODES),
         ("Support/Fixed nodes", "-1", PATTERN),
         ("Support/Fixed nodes", "1.5", PATTERN),
@@ -84,13 +118,13 @@ WRONG_VALUES = {
         ("Load/Body force", "0, 0, down", PATTERN),
         ("Load/Body force", "0, 0, nan", PATTERN),
         ("Load/Pressures", "side : 1", "left, right, front, back, bottom, top"),
-        ("Load/Pressures", "top", "'face : pressure'"),
-        ("Load/Pressures", "top : 1, 2", "'face : pressure'"),
-        ("Load/Pressures", "top : high", "'face : pressure'"),
+        ("Load/Pressures", "top", PRESSURE),
+        ("Load/Pressures", "top : 1, 2", PRESSURE),
+        ("Load/Pressures", "top : high", PRESSURE),
         ("Load/Pressures", "top : 1; top : 2", "each once"),
-        ("Load/Pressures", "top : nan", "'face : pressure'"),
-        ("Load/Pressures", "top : inf", "'face : pressure'"),
-        ("Load/Pressures", "top : 1e400", "'face : pressure'"),
+        ("Load/Pressures", "top : nan", PRESSURE),
+        ("Load/Pressures", "top : inf", PRESSURE),
+        ("Load/Pressures", "top : 1e400", PRESSURE),
     ],
     ("forces", 3): [
         ("Load/Tractions", "side : 0, 0, 1", "left, right, front, back"),
@@ -109,7 +143,7 @@ WRONG_VALUES = {
     ("load", 2): [
         ("Load/Body force", "0, 0, -1", "2 numbers"),
         ("Load/Pressures", "front : 1", "left, right, bottom, top"),
-        ("Load/Tractions", "top : 0, 0, -1", "'face : 2 components'"),
+        ("Load/Tractions", "top : 0, 0, -1", "'group : 2 components'"),
     ],
     ("blade", 3): [
         ("Blade/Sharpness", "-0.01", "from 0 to 1"),
@@ -117,15 +151,17 @@ WRONG_VALUES = {
         ("Blade/Sharpness", "abc", PATTERN),
         ("Blade/Sharpness", "nan", PATTERN),
         ("Blade/Thickness", "-0.2", "not negative"),
-        ("Blade/Direction", "0, 1, 0", "in the plane of every cut"),
-        ("Blade/Direction", "0, 0.1, -1", "in the plane of every cut"),
+        ("Blade/Direction", "0, 1, 0", "of 'y:1' is 90 degrees off"),
+        ("Blade/Direction", "0, 1.1, -1", "up to 45 degrees off it; that of 'y:1'"),
+        ("Blade/Direction", "0, 0, -1; 0, 0, -1", ONE_FOR_EACH),
         ("Blade/Direction", "0, 0, 0", "not zero"),
         ("Blade/Direction", "0, -1", "3"),
         ("Blade/Direction", "0, 0, 1", "a side that is not fixed"),
         ("Blade/Edge loads", "0:10, 10.1:50", "positions from 0 to 10"),
         ("Blade/Edge loads", "-0.1:10", "positions from 0 to 10"),
         ("Blade/Edge loads", "0, 10", EDGE_LOADS),
-        ("Blade/Edge loads", "0:10; 5:50", EDGE_LOADS),
+        ("Blade/Edge loads", "0:10; 5:50", ONE_FOR_EACH),
+        ("Blade/Edge loads", "0:10, 5", EDGE_LOADS),
         ("Blade/Edge loads", "0:", EDGE_LOADS),
         ("Blade/Edge loads", ":10", EDGE_LOADS),
         ("Blade/Edge loads", "0:ten", EDGE_LOADS),
@@ -136,7 +172,7 @@ WRONG_VALUES = {
     ("blade", 2): [
         ("Blade/Edge loads", "5:10", "position 0"),
         ("Blade/Direction", "0, 0, -1", "2"),
-        ("Blade/Direction", "1, 0", "in the plane of every cut"),
+        ("Blade/Direction", "1, 0", "of 'x:1' is 90 degrees off"),
     ],
     ("cut", 3): [
         ("Cut/Surfaces", "y:0", FROM_1),
@@ -153,6 +189,27 @@ WRONG_VALUES = {
         ("Cut/Surfaces", "xy:1", "'axis : boundary' with an axis of xyz"),
         ("Cut/Surfaces", "y:1; y:1", "each surface once"),
         ("Cut/Surfaces", "x:1", "no cut across x, where the body is one element"),
+        ("Cut/Surfaces", "plane : 0, 5, 0", PLANE),
+        ("Cut/Surfaces", "plane : 0, 5, 0 ; 0, 0, 0", PLANE),
+        ("Cut/Surfaces", "plane : 0, 5 ; 0, 1", PLANE),
+        ("Cut/Surfaces", "plane : 0, 50, 0 ; 0, 1, 0", NOTHING),
+        ("Cut/Surfaces", "where : y -", EXPRESSION),
+        ("Cut/Surfaces", "where : y - depth", EXPRESSION),
+        ("Cut/Surfaces", "where : log(y - 5)", "no number somewhere in the body"),
+        ("Cut/Surfaces", "where : y + 50", NOTHING),
+        ("Cut/Surfaces", "group : seam", "and 'seam' is none of them"),
+        ("Cut/Surfaces", "group : top", "it lies on the boundary of the body"),
+        ("Cut/Surfaces", "between : top", "'between : A, B' with two groups"),
+        ("Cut/Surfaces", "between : top, bottom", "groups of elements"),
+        ("Cut/Extent", "some", EXTENT),
+        ("Cut/Extent", "depth : 0", EXTENT),
+        ("Cut/Extent", "box : 0, 0, 1, 1", EXTENT),
+        ("Cut/Extent", "all; all", "one item for all surfaces, or one for each"),
+        ("Cut/Refinement near cut", "1.5", "a whole number of levels"),
+        ("Cut/Refinement near cut", "11", "a whole number of levels"),
+        ("Cut/Refinement near cut", "-1", PATTERN),
+        ("Division/Row tolerance", "-1", "from 0 to less than 0.5"),
+        ("Division/Row tolerance", "0.5", "from 0 to less than 0.5"),
         ("Yield/Criterion", "courage", "maximum shear"),
         ("Yield/Check", "never", "every row"),
         ("Division/Release", "row", "node row"),
@@ -162,11 +219,14 @@ WRONG_VALUES = {
     ("cut", 2): [
         ("Cut/Surfaces", "z:1", "'axis : boundary' with an axis of xy"),
         ("Cut/Surfaces", "x:2", "for x a boundary from 1 to 1"),
+        ("Cut/Surfaces", "plane : 5, 5 ; 1, 0, 0", "'plane : px, py ; nx, ny'"),
+        ("Cut/Surfaces", "where : z - 5", "'where : expression' in x,y"),
     ],
     ("output", 3): [
         ("Output/Directory", "", "the name of a directory"),
         ("Output/Frames", "some", "every row"),
         ("Output/Node tables", "perhaps", PATTERN),
+        ("Output/Piece shape", "round", "deformed"),
         ("Solver/Method", "guess", "iterative"),
         ("Solver/Tolerance", "0", "greater than 0 and at most 1e-3"),
         ("Solver/Tolerance", "0.1", "greater than 0 and at most 1e-3"),

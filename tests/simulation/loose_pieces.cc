@@ -1,5 +1,6 @@
 // A horizontal cut leaves the top piece without support: it is held where that
-// strains nothing, and refused where a load or the next cut would push it.
+// strains nothing, and refused where a load or the next cut would push it; or
+// it is dropped, if that is wanted.
 
 #include <setsudan/simulation/state.h>
 
@@ -22,7 +23,7 @@ divide(const std::string &body_force, const bool cut_again)
   std::cout << "body force '" << body_force << "': " << std::endl;
   try
     {
-      body.approach(make_cut_surface(scene.body, scene.cut.surfaces[0]));
+      body.approach(scene.cut.cuts[0]);
       body.open();
       body.divide();
       for (const auto &loose : body.loose_pieces)
@@ -34,7 +35,7 @@ divide(const std::string &body_force, const bool cut_again)
         scene, body, no_blade(body), 0, discretization.zero_vector());
       check_below("  displacement", state.displacement.linfty_norm(), 1e-14);
       if (cut_again)
-        body.approach(make_cut_surface(scene.body, scene.cut.surfaces[1]));
+        body.approach(scene.cut.cuts[1]);
     }
   catch (const std::runtime_error &error)
     {
@@ -44,6 +45,80 @@ divide(const std::string &body_force, const bool cut_again)
     }
 }
 
+/** The body of which the dropped piece is no part any more: 2 x 2 x 1 elements
+ * below, under their own weight, and where they are held they are not moved. */
+Scene<3>
+lower_half()
+{
+  return Scene<3>(Parameters("test",
+                             {{"Body", "Elements", "2,2,1", ""},
+                              {"Body", "Size", "10,10,5", ""},
+                              {"Support", "Fixed faces", "bottom", ""},
+                              {"Load", "Body force", "0, 0, -1", ""}},
+                             Scene<3>::declare));
+}
+
+/** Drop the upper half, which a clamp moves in one direction, with its weight
+ * and a pressure on it. */
+void
+drop()
+{
+  std::cout << "dropped:" << std::endl;
+  const Parameters parameters(
+    "test",
+    {{"Body", "Elements", "2,2,2", ""},
+     {"Support", "Fixed faces", "bottom", ""},
+     {"Support", "Displacements", "top : 0.1, free, free", ""},
+     {"Support", "Loose pieces", "drop", ""},
+     {"Load", "Body force", "0, 0, -1", ""},
+     {"Load", "Pressures", "top : 3", ""},
+     {"Cut", "Surfaces", "z:1; y:1; x:1", ""},
+     {"Blade", "Direction", "-1,0,0; -1,0,0; 0,-1,0", ""},
+     {"Cut", "Extent", "all; all; box: 0, 0, 5, 10, 10, 10", ""}},
+    Scene<3>::declare);
+  const Scene<3> scene(parameters);
+  CutBody<3> body(scene, MPI_COMM_WORLD);
+  body.approach(scene.cut.cuts[0]);
+  body.open();
+  body.divide();
+  const auto solve = [](const Scene<3> &scene, CutBody<3> &body) {
+    return solve_state(
+      scene, body, no_blade(body), 0, body.model->discretization.zero_vector());
+  };
+  const auto state  = solve(scene, body);
+  const auto &below = lower_half();
+  CutBody<3> body_below(below, MPI_COMM_WORLD);
+  const auto state_below = solve(below, body_below);
+
+  const auto &discretization = body.model->discretization;
+  const auto u               = discretization.with_ghosts(state.displacement);
+  double largest[]           = {0, 0};
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &node : discretization.node_indices(cell))
+      for (const auto index : node)
+        {
+          double &of_half = largest[discretization.element(cell) < 4 ? 0 : 1];
+          of_half         = std::max(of_half, std::abs(u(index)));
+        }
+  check_below("  displacement of what is dropped", largest[1], 0.);
+  check_below("  the rest moves alone",
+              std::abs(largest[0] - state_below.displacement.linfty_norm()),
+              1e-12 * largest[0]);
+
+  // The next cut goes through both halves, the last only through the upper.
+  const bool goes_on = body.approach(scene.cut.cuts[1]);
+  std::cout << "  the next cut " << (goes_on ? "goes" : "does not go") << " on";
+  unsigned int highest = 0;
+  for (const auto &pair : body.seam().pairs())
+    highest = std::max(highest, static_cast<unsigned int>(pair.position[2]));
+  std::cout << ", up to height " << highest << std::endl;
+  body.open();
+  body.divide();
+  std::cout << "  " << body.n_pieces() << " pieces, the last cut "
+            << (body.approach(scene.cut.cuts[2]) ? "goes" : "does not go")
+            << " on" << std::endl;
+}
+
 int
 main(int argc, char **argv)
 {
@@ -51,5 +126,6 @@ main(int argc, char **argv)
     divide("", false);
     divide("0, 0, -1", false);
     divide("", true);
+    drop();
   });
 }

@@ -4,47 +4,42 @@
 
 #include <setsudan/body/box_numbering.h>
 #include <setsudan/body/coarse_mesh.h>
-#include <setsudan/parameters/parameters.h>
+#include <setsudan/body/group.h>
 
-#include <string>
+#include <array>
+#include <optional>
+#include <vector>
 
 namespace Setsudan
 {
-/** Subsection `Body`: the shape and its elements. */
-template <int dim>
-struct BodyParameters
-{
-  dealii::Point<dim> size;
-  typename BoxNumbering<dim>::Indices n_elements;
-
-  static void
-  declare(dealii::ParameterHandler &handler);
-
-  explicit BodyParameters(const Parameters &parameters);
-};
-
-/** The body before any cut: its elements and its node numbers. */
+/** The body before any cut: its elements, its node numbers, and the parts of
+ * it that have names. */
 template <int dim>
 struct Body
 {
-  explicit Body(const BodyParameters<dim> &parameters);
-
   CoarseMesh<dim> mesh;
-  BoxNumbering<dim> numbering;
+
+  /** The numbers of each element's nodes, in the order of nodes.h: the paper's
+   * for a box, the file's for a file. */
+  std::vector<std::array<unsigned int, n_element_nodes<dim>>> node_numbers;
+
+  std::vector<Group> groups;
+
+  /** The layers of elements, where the body is a box. */
+  std::optional<BoxNumbering<dim>> box;
+
+  /** How many different nodes there are. */
+  unsigned int
+  n_nodes() const;
+
+  bool
+  has_node(const unsigned int number) const;
 };
 
-/**
- * The boundary id of a face of a box: left and right are x min and max, front
- * and back y, bottom and top z; in 2D bottom and top are y.
- *
- * @return whether there is a face of that name.
- */
+/** A box from the origin to `size`. Its groups are its faces: left and right
+ * (x min and max), front and back (y), bottom and top (z; in 2D y). */
 template <int dim>
-bool
-find_face(const std::string &name, dealii::types::boundary_id &id);
-
-/** The names that find_face() knows, as a list for messages. */
-template <int dim>
-std::string
-face_names();
+Body<dim>
+make_box(const dealii::Point<dim> &size,
+         const typename BoxNumbering<dim>::Indices &n_elements);
 } // namespace Setsudan

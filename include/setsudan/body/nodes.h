@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <optional>
 
 namespace Setsudan
 {
@@ -25,6 +26,11 @@ vertices_of_node(const unsigned int node);
 template <int dim>
 dealii::Point<dim>
 unit_point_of_node(const unsigned int node);
+
+/** The node at a point of the reference cell, if there is one. */
+template <int dim>
+std::optional<unsigned int>
+node_at(const dealii::Point<dim> &unit_point);
 
 /** Whether a node of the reference cell lies on one of its faces. */
 template <int dim>

@@ -1,54 +1,60 @@
 #pragma once
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/types.h>
+#include <setsudan/body/support_parameters.h>
 
-#include <setsudan/body/body.h>
-#include <setsudan/parameters/parameters.h>
-
-#include <set>
+#include <bitset>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
 {
-/** Subsection `Support`: what holds the body. */
+/** A point of which some displacement components are held. */
 template <int dim>
-struct SupportParameters
+struct HeldPoint
 {
-  std::set<dealii::types::boundary_id> faces;
-  std::set<unsigned int> nodes;
+  dealii::Point<dim> position;
+  std::bitset<dim> components;
+};
 
-  static void
-  declare(dealii::ParameterHandler &handler);
-
-  /** @throw SceneError for a face or node that does not exist. */
-  SupportParameters(const Parameters &parameters, const Body<dim> &body);
+/** What the supports demand of a node. */
+template <int dim>
+struct NodeSupport
+{
+  std::bitset<dim> components;
+  dealii::Tensor<1, dim> displacement;
 };
 
 /**
- * Which nodes are fixed, in all directions. It is asked by cell and node of
- * the cell, so that the copies of a node that was split stay fixed.
+ * Which displacement components of which nodes are held. It is asked by cell
+ * and point of the cell, so that the copies of a node that was split stay
+ * held, and the nodes of refined cells are.
  */
 template <int dim>
 class Supports
 {
 public:
+  /** @param body must live as long. */
   Supports(const SupportParameters<dim> &parameters, const Body<dim> &body);
 
-  /**
-   * Whether `node` of `cell` is fixed as far as this cell knows: its own faces
-   * on the boundary, and the node's number. A node that touches a fixed face
-   * of another cell only is fixed through that cell.
-   */
-  bool
-  is_fixed(const unsigned int cell, const unsigned int node) const;
+  NodeSupport<dim>
+  at(const unsigned int cell, const dealii::Point<dim> &unit_point) const;
 
-  /** Positions of the fixed nodes of some cells; a node may appear twice. */
-  std::vector<dealii::Point<dim>>
-  fixed_points(const std::vector<unsigned int> &cells) const;
+  /** What is held of the nodes of some cells; a node may appear twice. */
+  std::vector<HeldPoint<dim>>
+  held_points(const std::vector<unsigned int> &cells) const;
+
+  /** Whether a support moves what it holds. */
+  bool
+  move() const;
+
+  /** A node whose supports contradict each other, if there is one. */
+  std::optional<dealii::Point<dim>>
+  find_contradiction() const;
+
+  const typename SupportParameters<dim>::LoosePieces loose_pieces;
 
 private:
-  const SupportParameters<dim> parameters;
+  const std::vector<Support<dim>> supports;
   const Body<dim> &body;
 };
 } // namespace Setsudan

@@ -21,9 +21,10 @@ struct BladeParameters
 {
   double sharpness;
   double thickness;
-  /** Unit vector of the blade's travel. */
-  dealii::Tensor<1, dim> direction;
-  std::vector<EdgeLoad> edge_loads;
+  /** Unit vectors of the blade's travel, one for each cut or one for all. */
+  std::vector<dealii::Tensor<1, dim>> directions;
+  /** The loads on the edge, for each cut or for all. */
+  std::vector<std::vector<EdgeLoad>> edge_loads;
 
   static void
   declare(dealii::ParameterHandler &handler);

@@ -2,7 +2,6 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <setsudan/body/supports.h>
 #include <setsudan/cut/blade.h>
 #include <setsudan/cut/cut_surface.h>
 
@@ -10,25 +9,33 @@
 
 namespace Setsudan
 {
-/** The line in a plane cut along which the blade's edge lies. */
+/** How the blade lies in a cut: the way that it travels and the direction of
+ * its edge. */
 template <int dim>
 struct BladeEdge
 {
-  /** @pre the direction lies in the cut, perpendicular to `normal`. */
-  BladeEdge(const dealii::Tensor<1, dim> &normal,
+  /**
+   * The blade's direction is projected into the cut: onto the plane that the
+   * sum of the faces' areas stands on. A closed surface has no such plane and
+   * leaves the direction as it is.
+   */
+  BladeEdge(const SurfaceArea<dim> &area,
             const dealii::Tensor<1, dim> &direction);
+
+  /** How far the blade travels to a point, from wherever. */
+  double
+  travel(const dealii::Point<dim> &point) const;
 
   /** Position along the edge: the coordinate of the axis nearest to the edge;
    * 0 in 2D, where the edge is a point. */
   double
   position(const dealii::Point<dim> &point) const;
 
-  /** The point of the edge line through `origin` at a position. */
-  dealii::Point<dim>
-  point(const dealii::Point<dim> &origin, const double position) const;
-
-  /** Unit vector along the edge; zero in 2D. */
-  dealii::Tensor<1, dim> tangent;
+  /** Unit vector of the blade's travel in the cut. */
+  dealii::Tensor<1, dim> direction;
+  /** By which angle the projection turned it [degrees]. */
+  double turned_by = 0;
+  /** The axis nearest to the edge. */
   unsigned int axis = 0;
 };
 
@@ -50,18 +57,4 @@ struct NodeShare
 std::vector<NodeShare>
 share_edge_loads(const std::vector<EdgeLoad> &loads,
                  const std::vector<double> &nodes);
-
-/**
- * Whether the blade can make this cut: its direction lies in the surface, it
- * enters at nodes that no support holds, and its loads lie on the edge there.
- *
- * @throw SceneError where one of it is not so.
- */
-template <int dim>
-void
-check_blade(const Parameters &parameters,
-            const BladeParameters<dim> &blade,
-            const Body<dim> &body,
-            const Supports<dim> &supports,
-            const CutSurface<dim> &surface);
 } // namespace Setsudan

@@ -3,9 +3,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <setsudan/body/body.h>
-#include <setsudan/parameters/parameters.h>
 
-#include <string>
 #include <vector>
 
 namespace Setsudan
@@ -15,40 +13,47 @@ template <int dim>
 struct CutFace
 {
   CellFace minus;
+  /** The side that the normal of the cut points to. */
   CellFace plus;
-  /** Unit vector from minus to plus, the side of the larger coordinate. */
-  dealii::Tensor<1, dim> normal;
 };
 
 /** The faces that one cut opens. */
 template <int dim>
 using CutSurface = std::vector<CutFace<dim>>;
 
-/** One item of `Cut/Surfaces`: a boundary between layers of elements. */
-struct AxisCut
+/** The faces of a surface's minus side in space: the sum of their area vectors,
+ * and of their areas. The sum of vectors vanishes for a closed surface. */
+template <int dim>
+struct SurfaceArea
 {
-  unsigned int axis;
-  /** The paper's dn: the boundary behind this many layers. */
-  unsigned int boundary;
-  /** As the scene has it, for messages. */
-  std::string text;
+  dealii::Tensor<1, dim> vector;
+  double area = 0;
 };
 
-/** Subsection `Cut`: where the body is cut, one cut after the other. */
 template <int dim>
-struct CutParameters
-{
-  std::vector<AxisCut> surfaces;
+SurfaceArea<dim>
+measure_surface(const Body<dim> &body, const CutSurface<dim> &surface);
 
-  static void
-  declare(dealii::ParameterHandler &handler);
-
-  CutParameters(const Parameters &parameters, const BodyParameters<dim> &body);
-};
-
-/** The element faces of an AxisCut (equations 19, 23, 26 of Kakefuda et al.
- * 1996 name the elements behind it). */
+/**
+ * A line of the mesh (in 2D a vertex) at which more than two faces of a surface
+ * meet, where the surface would have no two sides.
+ *
+ * @return one point of each such line.
+ */
 template <int dim>
-CutSurface<dim>
-make_cut_surface(const Body<dim> &body, const AxisCut &cut);
+std::vector<dealii::Point<dim>>
+find_branchings(const Body<dim> &body, const CutSurface<dim> &surface);
+
+/**
+ * Give faces two consistent sides, by going from each to those that share a
+ * line with it. The side that each part of the surface calls plus is that of
+ * the larger coordinate of its mean normal's largest component, or the outer
+ * one of a closed surface.
+ *
+ * @param faces pairs of cells' faces, sides as they come.
+ * @return whether that is possible: a Möbius strip has one side only.
+ */
+template <int dim>
+bool
+orient_surface(const Body<dim> &body, CutSurface<dim> &faces);
 } // namespace Setsudan

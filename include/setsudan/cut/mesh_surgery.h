@@ -5,10 +5,6 @@
 
 namespace Setsudan
 {
-/** Boundary ids of the two faces of a cut; a box uses 0 to 5 itself. */
-constexpr dealii::types::boundary_id cut_minus_id = 100;
-constexpr dealii::types::boundary_id cut_plus_id  = 101;
-
 /**
  * Open a mesh along a surface by duplicating vertices.
  *
@@ -18,11 +14,15 @@ constexpr dealii::types::boundary_id cut_plus_id  = 101;
  * own. So the tip of a cut inside the body stays joined, crossing cuts make
  * four copies, and no material is lost.
  *
- * Cells keep their numbers and copies stand behind the old vertices.
- *
- * @pre every face of the surface is shared by its two cells.
+ * Cells keep their numbers and copies stand behind the old vertices. Faces
+ * that are open already are left as they are.
  */
 template <int dim>
 CoarseMesh<dim>
 split_mesh(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface);
+
+/** The faces of a surface that its two cells (still) share. */
+template <int dim>
+CutSurface<dim>
+joined_faces(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface);
 } // namespace Setsudan

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <setsudan/body/point_name.h>
 #include <setsudan/cut/cut_surface.h>
 #include <setsudan/elasticity/elastic_model.h>
 
@@ -19,13 +20,19 @@ struct NodePair
 {
   using NodeIndices = typename Discretization<dim>::NodeIndices;
 
-  /** The node's number in the uncut body. */
-  unsigned int number;
+  /** The node in the uncut body. */
+  PointName name;
+  /** An element that has it on the minus side. */
+  unsigned int element;
   dealii::Point<dim> position;
   /** Unit normal of the cut there, from minus to plus. */
   dealii::Tensor<1, dim> normal;
-  /** Whether it is a corner of elements, and not the middle of an edge. */
+  /** Whether it is a corner of cells, and not the middle of an edge. */
   bool is_corner;
+  /** Whether the cut will divide it, or has. */
+  bool is_divided;
+  /** Whether it hangs between other nodes, which then decide on it. */
+  bool is_hanging;
   NodeIndices minus;
   NodeIndices plus;
   /** Components that a support holds, on both sides. */
@@ -36,14 +43,29 @@ struct NodePair
   is_double() const;
 };
 
+/** The nodes of a cut. */
+template <int dim>
+struct SurfaceNodes
+{
+  /** In the order of their names. */
+  std::vector<NodePair<dim>> pairs;
+  /** The pairs of each face of a (refined) cell on the cut. */
+  std::vector<std::vector<unsigned int>> faces;
+};
+
 /**
- * All node pairs of a cut surface, the same on every process, in the order of
- * their numbers. They are found face by face: a position alone may belong to
- * several nodes once the body has been cut before.
+ * All node pairs of a cut surface, the same on every process. They are found
+ * face by face and by name: a position alone may belong to several nodes once
+ * the body has been cut before, or where cells are refined.
+ *
+ * @param split the mesh after the surgery along this surface, whether it has
+ * been made or not.
+ * @pre the two sides of the surface are refined alike.
  */
 template <int dim>
-std::vector<NodePair<dim>>
-collect_node_pairs(const ElasticModel<dim> &model,
-                   const CutSurface<dim> &surface,
-                   const Body<dim> &body);
+SurfaceNodes<dim>
+collect_surface_nodes(const ElasticModel<dim> &model,
+                      const CutSurface<dim> &surface,
+                      const Body<dim> &body,
+                      const CoarseMesh<dim> &split);
 } // namespace Setsudan

@@ -22,6 +22,8 @@ struct DivisionParameters
   };
 
   Release release;
+  /** In shortest lines of the cut. */
+  double row_tolerance;
   LoadControl load_control;
   double max_load_factor;
 
@@ -36,25 +38,32 @@ struct Row
 {
   /** All of them, as indices into the list of node pairs. */
   std::vector<unsigned int> pairs;
-  /** Those the blade rests on: the first layer, along the edge. */
+  /** Those the blade rests on: the first layer, along the edge. In a front
+   * that is closed the first node stands at the end again. */
   std::vector<unsigned int> front;
+  /** Where the edge positions of the front's nodes are, ascending. */
+  std::vector<double> positions;
   /** How far the front lies behind the entry, along the blade's direction. */
   double depth;
 };
 
 /**
- * The rows of a cut, entry first. Layers of equal coordinate along the blade's
- * direction (to 1e-8 of the cut's extent) are rows of their own, or with
- * `element_row` layers of corner nodes take the mid-side layer behind with
- * them, so that the front always rests on corner nodes.
+ * The rows of a cut, entry first. Nodes that the blade reaches together, up to
+ * `tolerance` of the shortest line on the cut, are a layer. Layers are rows of
+ * their own, or with `element_row` layers of corner nodes take the mid-side
+ * layers behind with them, so that the front always rests on corner nodes.
  *
- * A row whose nodes are all supported lies on the board: the blade need not
- * divide it, and it goes together with the row before it.
+ * A layer of which the cut divides nothing (the tip of a slit), or whose nodes
+ * are all supported (on the board), needs no division: it goes together with
+ * the row before it, or with the first one behind.
+ *
+ * Positions along the edge are coordinates of the axis nearest to it. Where no
+ * such axis follows the fronts, because they are closed or run back, positions
+ * are lengths along the front, from its end with the smallest coordinate.
  */
 template <int dim>
 std::vector<Row>
-make_rows(const std::vector<NodePair<dim>> &pairs,
-          const dealii::Tensor<1, dim> &direction,
+make_rows(const SurfaceNodes<dim> &nodes,
           const BladeEdge<dim> &edge,
-          const DivisionParameters::Release release);
+          const DivisionParameters &division);
 } // namespace Setsudan

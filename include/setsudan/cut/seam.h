@@ -53,27 +53,47 @@ public:
   coupled_indices(const dealii::types::global_dof_index n_unknowns) const;
 
   /**
-   * Add the homogeneous part of what the seam demands. Unknowns that a support
-   * holds are left alone: a support wins over a tie and over an opening.
+   * Add the homogeneous part of what the seam demands. Unknowns that are
+   * constrained already are left alone: a support wins over a tie and over an
+   * opening, and hanging nodes follow those between which they hang.
    */
   void
   add_constraints(dealii::AffineConstraints<double> &constraints) const;
 
   /**
-   * A displacement that has the opening of the opened pairs, and is otherwise
-   * zero: n.(u+ - u-) = thickness, by u+ alone.
+   * A displacement that has the opening of the opened pairs,
+   * n.(u+ - u-) = thickness, by as few unknowns as possible.
    */
   LA::Vector
-  opening(const Discretization<dim> &discretization,
-          const double thickness) const;
+  opening(const ElasticModel<dim> &model, const double thickness) const;
 
 private:
+  /** The side of a pair whose unknowns its constraints determine. A node may be
+   * in several pairs, where an earlier cut ends at this one. */
+  enum class Dependent
+  {
+    none,
+    minus,
+    plus
+  };
+
+  /** @throw std::runtime_error where two sides are not enough. */
+  void
+  choose_dependent_sides();
+
   /** The component that an opening determines: that of the largest normal. */
   unsigned int
   normal_component(const unsigned int pair) const;
 
+  const typename NodePair<dim>::NodeIndices &
+  dependent(const unsigned int pair) const;
+
+  const typename NodePair<dim>::NodeIndices &
+  independent(const unsigned int pair) const;
+
   std::vector<NodePair<dim>> node_pairs;
   std::vector<Row> node_rows;
   std::vector<State> states;
+  std::vector<Dependent> dependent_sides;
 };
 } // namespace Setsudan

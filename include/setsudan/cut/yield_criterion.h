@@ -24,9 +24,17 @@ struct YieldParameters
   explicit YieldParameters(const Parameters &parameters);
 };
 
-/** Stresses at the front row's nodes, one per element that meets there, of
- * the elements of this process. */
-using FrontStresses = std::vector<dealii::SymmetricTensor<2, 3>>;
+/** The stress at a node, in one of the cells that meet there. */
+struct FrontStress
+{
+  dealii::SymmetricTensor<2, 3> stress;
+  /** Of that cell's material. */
+  double shear_limit;
+};
+
+/** Stresses at the front row's nodes, one per cell that meets there, of the
+ * cells of this process. */
+using FrontStresses = std::vector<FrontStress>;
 
 /** @param displacement with ghosts. */
 template <int dim>
@@ -36,44 +44,56 @@ front_stresses(const ElasticModel<dim> &model,
                const Row &row,
                const LA::Vector &displacement);
 
+/** What decides whether a row yields. */
+struct CuttingStress
+{
+  double reached  = 0;
+  double required = 0;
+
+  /** Whether the stress exceeds what is required, or nothing is. */
+  bool
+  yields() const;
+};
+
 /**
  * The cutting stress (equation 17 of Kakefuda et al. 1996): the largest
- * maximum shear over the elements that meet at the front row's nodes.
+ * maximum shear over the cells that meet at the front row's nodes; where they
+ * are of different materials, that which is largest in relation to its shear
+ * limit.
  *
  * The stress under a concentrated load is singular, so that this measure
  * grows as elements shrink.
  */
-double
-cutting_stress(const FrontStresses &stresses, const MPI_Comm communicator);
+CuttingStress
+cutting_stress(const FrontStresses &stresses,
+               const double sharpness,
+               const MPI_Comm communicator);
 
 /** The stress that yield requires: shear limit x (1 - sharpness), equation
  * 18. */
 double
 required_stress(const double shear_limit, const double sharpness);
 
-/** Whether a row yields: its stress exceeds what is required, or nothing is. */
-bool
-yields(const double cutting_stress, const double required_stress);
-
 /** The load factor at which a row yields. */
 struct YieldLoad
 {
   /** The factor, or the largest allowed one where the row does not yield. */
   double load_factor;
-  double cutting_stress;
+  CuttingStress stress;
+  /** At the factor that was found stress is what is required, and no more. */
   bool yields;
 };
 
 /**
  * The smallest load factor in [0, max_load_factor] at which the front's
- * stress, base + factor x per_load, reaches what is required. The cutting
- * stress is convex in the factor, so that there is at most one such point
- * beyond 0, and a bracketing root finder cannot miss it.
+ * stress, base + factor x per_load, reaches what is required. The stress in
+ * relation to the limit is convex in the factor, so that there is at most one
+ * such point beyond 0, and a bracketing root finder cannot miss it.
  */
 YieldLoad
 find_yield_load(const FrontStresses &base,
                 const FrontStresses &per_load,
-                const double required,
+                const double sharpness,
                 const double max_load_factor,
                 const MPI_Comm communicator);
 } // namespace Setsudan

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <deal.II/base/index_set.h>
-
+#include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/elasticity/resultant.h>
 
 #include <vector>
@@ -16,11 +15,14 @@ struct PointForce
   dealii::Tensor<1, dim> force;
 };
 
-/** The balance of a body, and what its supports give back to it. */
+/** The balance of a body, and what its supports give to it. */
 template <int dim>
 struct BodyBalance : public Balance
 {
+  /** Of the supports that hold still. */
   dealii::Tensor<1, dim> reaction;
+  /** Of the clamps that move what they hold. */
+  dealii::Tensor<1, dim> clamp_force;
 };
 
 /**
@@ -29,18 +31,15 @@ struct BodyBalance : public Balance
  * and not where they were handed to nodes, so that a mistake on that way shows
  * as well.
  *
- * @param supported  unknowns that a support holds.
+ * @param model      its supports give back K u - `applied` where they hold.
  * @param internal   K u (see internal_forces()).
- * @param loads      nodal forces of the loads, without the blade.
  * @param applied    all nodal forces: loads and blade.
  * @param blade      the blade's forces as the scene means them.
  */
 template <int dim>
 BodyBalance<dim>
-check_balance(const Discretization<dim> &discretization,
-              const dealii::IndexSet &supported,
+check_balance(const ElasticModel<dim> &model,
               const LA::Vector &internal,
-              const LA::Vector &loads,
               const LA::Vector &applied,
               const std::vector<PointForce<dim>> &blade);
 } // namespace Setsudan

@@ -4,15 +4,17 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <setsudan/body/body.h>
 #include <setsudan/body/nodes.h>
 #include <setsudan/body/supports.h>
 #include <setsudan/elasticity/linear_algebra.h>
+#include <setsudan/elasticity/refinement.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace Setsudan
@@ -32,11 +34,29 @@ public:
   /** The unknowns of one node: its displacement components. */
   using NodeIndices = std::array<Index, dim>;
 
-  Discretization(const CoarseMesh<dim> &mesh, const MPI_Comm communicator);
+  /** @param mesh must live as long; a surgery on it does not matter, since it
+   * moves no node. */
+  Discretization(const CoarseMesh<dim> &mesh,
+                 const Refinement &refinement,
+                 const MPI_Comm communicator);
 
   /** The element of the body that `cell` is. */
   unsigned int
   element(const Cell &cell) const;
+
+  bool
+  is_curved() const;
+
+  /** The shape of the cells: isoparametric where the body is curved. */
+  const dealii::Mapping<dim> &
+  mapping() const;
+
+  /** The nodes of a cell in the reference coordinates of its element. */
+  std::array<dealii::Point<dim>, n_element_nodes<dim>>
+  points_in_element(const Cell &cell) const;
+
+  ElementNodes<dim>
+  node_positions(const Cell &cell) const;
 
   /** The unknowns of every node of a cell, nodes in the order of nodes.h. */
   std::array<NodeIndices, n_element_nodes<dim>>
@@ -58,22 +78,27 @@ public:
   };
 
   /** The sites of this process's unknowns, in the order of their numbers. */
-  std::vector<Site>
+  const std::vector<Site> &
   sites() const;
 
   const MPI_Comm communicator;
-  const dealii::MappingQ<dim> mapping;
   const dealii::FESystem<dim> fe;
   dealii::parallel::distributed::Triangulation<dim> triangulation;
   dealii::DoFHandler<dim> dof_handler;
   dealii::IndexSet owned;
   dealii::IndexSet relevant;
-};
 
-/** Constrain the fixed nodes, as far as this process knows them. */
-template <int dim>
-void
-constrain_supports(const Discretization<dim> &discretization,
-                   const Supports<dim> &supports,
-                   dealii::AffineConstraints<double> &constraints);
+private:
+  void
+  make_mapping();
+
+  void
+  find_sites();
+
+  const CoarseMesh<dim> &mesh;
+  /** Positions of the nodes, as unknowns of the space, of a curved body. */
+  LA::Vector positions;
+  std::unique_ptr<dealii::Mapping<dim>> shape;
+  std::vector<Site> all_sites;
+};
 } // namespace Setsudan

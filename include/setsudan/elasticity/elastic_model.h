@@ -2,6 +2,7 @@
 
 #include <setsudan/body/supports.h>
 #include <setsudan/elasticity/loads.h>
+#include <setsudan/elasticity/material_parameters.h>
 #include <setsudan/elasticity/stiffness.h>
 
 namespace Setsudan
@@ -11,21 +12,37 @@ namespace Setsudan
 template <int dim>
 struct ElasticModel
 {
+  /** @param mesh and materials must live as long. */
   ElasticModel(const CoarseMesh<dim> &mesh,
+               const Refinement &refinement,
                const Body<dim> &body,
                const Supports<dim> &supports,
                const LoadParameters<dim> &load_parameters,
-               const Hooke &material,
+               const MaterialParameters<dim> &materials,
                const MPI_Comm communicator);
 
-  const Hooke material;
+  const Hooke &
+  hooke(const typename Discretization<dim>::Cell &cell) const;
+
+  const MaterialParameters<dim> &materials;
   Discretization<dim> discretization;
   ElementStiffness<dim> stiffness;
-  /** The supports' constraints, closed. */
+  /** The constraints of hanging nodes, closed; none in a mesh that is refined
+   * everywhere alike. */
+  dealii::AffineConstraints<double> hanging;
+  /** What the supports hold, closed; hanging nodes are left to those between
+   * which they hang. */
   dealii::AffineConstraints<double> supports;
   /** The unknowns of this process that a support holds. */
   dealii::IndexSet supported;
+  /** A displacement that has what the supports prescribe, and is otherwise
+   * zero but at hanging nodes. */
+  LA::Vector prescribed;
   /** Nodal forces of the loads, without the blade. */
   LA::Vector loads;
+
+private:
+  void
+  constrain_supports(const Supports<dim> &supports_of_body);
 };
 } // namespace Setsudan

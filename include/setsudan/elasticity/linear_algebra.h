@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
@@ -10,3 +11,13 @@ namespace Setsudan::LA
 using Vector       = dealii::TrilinosWrappers::MPI::Vector;
 using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
 } // namespace Setsudan::LA
+
+namespace Setsudan
+{
+/** Hand forces on constrained unknowns on to those that they depend on.
+ *
+ * @param forces without ghosts, as is the result. */
+LA::Vector
+condense(const dealii::AffineConstraints<double> &constraints,
+         const LA::Vector &forces);
+} // namespace Setsudan

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deal.II/base/tensor.h>
-#include <deal.II/base/types.h>
 
 #include <setsudan/elasticity/discretization.h>
 #include <setsudan/parameters/parameters.h>
@@ -21,17 +20,23 @@ struct LoadParameters
 
   /** Force per volume. */
   Force body_force;
-  /** Pressure on a face of the body, positive into it. */
-  std::map<dealii::types::boundary_id, double> pressures;
-  /** Force per area of a face. */
-  std::map<dealii::types::boundary_id, Force> tractions;
+  struct SurfaceLoad
+  {
+    /** Positive into the body. */
+    double pressure = 0;
+    /** Force per area. */
+    Force traction;
+  };
+  /** What acts on faces of the uncut body's surface. */
+  std::map<CellFace, SurfaceLoad> surface_loads;
   /** Forces on nodes, by the node's number. */
   std::map<unsigned int, Force> nodal_forces;
 
   static void
   declare(dealii::ParameterHandler &handler);
 
-  /** @throw SceneError for a face or node that does not exist. */
+  /** @throw SceneError for a group or node that does not exist, and for a group
+   * that is no part of the body's surface. */
   LoadParameters(const Parameters &parameters, const Body<dim> &body);
 
   /** Whether the scene has no such load. */

@@ -39,6 +39,22 @@ template <int dim>
 void
 constrain_loose_piece(const Discretization<dim> &discretization,
                       const CoarseMesh<dim> &mesh,
+                      const std::vector<unsigned int> &pieces,
                       const LoosePiece &loose,
                       dealii::AffineConstraints<double> &constraints);
+
+/** Constrain all unknowns of a piece that is left out: it stays at rest. */
+template <int dim>
+void
+constrain_dropped_piece(const Discretization<dim> &discretization,
+                        const std::vector<unsigned int> &pieces,
+                        const LoosePiece &loose,
+                        dealii::AffineConstraints<double> &constraints);
+
+/** Take the loads and prescribed displacements off a piece that is left out. */
+template <int dim>
+void
+remove_loads_from_piece(const std::vector<unsigned int> &pieces,
+                        const LoosePiece &loose,
+                        ElasticModel<dim> &model);
 } // namespace Setsudan

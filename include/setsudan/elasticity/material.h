@@ -2,24 +2,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <setsudan/parameters/parameters.h>
-
 namespace Setsudan
 {
-/** Subsection `Material`. */
-struct MaterialParameters
-{
-  double youngs_modulus;
-  double poissons_ratio;
-  double shear_limit;
-  double linear_range;
-
-  static void
-  declare(dealii::ParameterHandler &handler);
-
-  explicit MaterialParameters(const Parameters &parameters);
-};
-
 /**
  * Hooke's law of an isotropic body (equation 11 of Kakefuda et al. 1996 with
  * its typing errors mended). In 2D the strain is plane.

@@ -3,6 +3,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <setsudan/body/supports.h>
+
 #include <array>
 #include <utility>
 #include <vector>
@@ -30,11 +32,11 @@ using PointComponent = std::pair<unsigned int, unsigned int>;
 
 /**
  * A smallest set of displacement components of `candidates` that, held fixed,
- * stops every rigid motion which the points `fixed` (held in all directions)
- * leave free. Empty where the fixed points hold the body.
+ * stops every rigid motion which the `held` points leave free. Empty where they
+ * hold the body.
  */
 template <int dim>
 std::vector<PointComponent>
-find_minimal_hold(const std::vector<dealii::Point<dim>> &fixed,
+find_minimal_hold(const std::vector<HeldPoint<dim>> &held,
                   const std::vector<dealii::Point<dim>> &candidates);
 } // namespace Setsudan

@@ -4,7 +4,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <setsudan/elasticity/discretization.h>
-#include <setsudan/elasticity/material.h>
+#include <setsudan/elasticity/material_parameters.h>
 
 #include <vector>
 
@@ -15,8 +15,8 @@ namespace Setsudan
  * integrated by Gauss's rule with 3 points in each direction: fewer leave
  * spurious modes in an element that a cut has set free.
  *
- * A cell of the same shape as the one before gets the same matrix, so that a
- * box needs one integration only.
+ * A cell of the same shape and material as the one before gets the same matrix,
+ * so that a box needs one integration only.
  */
 template <int dim>
 class ElementStiffness
@@ -24,8 +24,9 @@ class ElementStiffness
 public:
   using Cell = typename Discretization<dim>::Cell;
 
+  /** @param materials must live as long. */
   ElementStiffness(const Discretization<dim> &discretization,
-                   const Hooke &material);
+                   const MaterialParameters<dim> &materials);
 
   /** The matrix of a cell, rows in the order of the cell's unknowns. */
   const dealii::FullMatrix<double> &
@@ -36,18 +37,26 @@ public:
   n_integrations() const;
 
 private:
+  /** The corners of a cell, or all nodes where the body is curved, relative to
+   * its first. */
+  std::vector<dealii::Tensor<1, dim>>
+  shape_of(const Cell &cell) const;
+
   bool
-  has_last_shape(const Cell &cell) const;
+  is_last(const Cell &cell,
+          const std::vector<dealii::Tensor<1, dim>> &shape,
+          const unsigned int material) const;
 
   void
-  integrate(const Cell &cell);
+  integrate(const Cell &cell, const Hooke &material);
 
-  const Hooke material;
+  const Discretization<dim> &discretization;
+  const MaterialParameters<dim> &materials;
   dealii::FEValues<dim> fe_values;
   dealii::FullMatrix<double> matrix;
-  /** Vertices of the last cell, relative to its first. */
   std::vector<dealii::Tensor<1, dim>> last_shape;
-  unsigned int integrations = 0;
+  unsigned int last_material = 0;
+  unsigned int integrations  = 0;
 };
 
 /**

@@ -4,7 +4,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <setsudan/elasticity/discretization.h>
-#include <setsudan/elasticity/material.h>
+#include <setsudan/elasticity/material_parameters.h>
 
 #include <vector>
 
@@ -69,6 +69,6 @@ struct DeformationExtremes
 template <int dim>
 DeformationExtremes
 find_extremes(const Discretization<dim> &discretization,
-              const Hooke &material,
+              const MaterialParameters<dim> &materials,
               const LA::Vector &displacement);
 } // namespace Setsudan

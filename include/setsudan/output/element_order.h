@@ -1,27 +1,18 @@
 #pragma once
 
+#include <setsudan/body/gmsh_order.h>
 #include <setsudan/output/piece_mesh.h>
 
-#include <array>
 #include <vector>
 
-// How gmsh and VTK list the nodes of a quadratic element, which both do around
-// the bottom, around the top, and then edge by edge in orders of their own.
+// How meshes are handed to gmsh and VTK.
 
 namespace Setsudan
 {
-/** Pairs of corners, numbered as the other programs do. */
-using Edges = std::vector<std::array<unsigned int, 2>>;
-
 /** VTK's order of the mid-side nodes. */
 template <int dim>
 Edges
 vtk_edges();
-
-/** gmsh's order of the mid-side nodes. */
-template <int dim>
-Edges
-gmsh_edges();
 
 /** The nodes' coordinates one behind the other, always three each. */
 template <int dim>

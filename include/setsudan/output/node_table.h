@@ -14,6 +14,8 @@ namespace Setsudan
  * of the cut, position, displacement, and the maximum shear (the largest) and
  * stress (the mean) of the elements that meet there on that side.
  *
+ * Nodes that refinement has made have numbers behind those of the body.
+ *
  * A node away from split nodes has side 0; the copies of a split one have '-'
  * and '+', one sign for each cut that split it. A tied pair is one node still.
  * Called by all processes; the first one writes.

@@ -21,6 +21,8 @@ struct OutputParameters
   std::string directory;
   Frames frames;
   bool node_tables;
+  /** Whether the pieces have the shape of the last state, or that at rest. */
+  bool pieces_deformed;
 
   static void
   declare(dealii::ParameterHandler &handler);

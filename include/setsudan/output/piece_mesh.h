@@ -1,23 +1,35 @@
 #pragma once
 
 #include <setsudan/body/body.h>
-#include <setsudan/body/nodes.h>
+#include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/output/output_directory.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Setsudan
 {
+/** A named part of a piece. */
+struct PieceGroup
+{
+  std::string name;
+  int number;
+  unsigned int dimension;
+  /** The group's cells, faces, lines or vertices, each by its nodes in the
+   * order of nodes.h. */
+  std::vector<std::vector<unsigned int>> entities;
+};
+
 /**
  * A piece of a divided body as a body of its own: its nodes and elements,
  * numbered from 0 in the order that they had in the uncut body. A box that is
- * part of a box so gets the paper's numbers.
+ * part of a box so gets the paper's numbers. Elements are those of the body
+ * before refinement.
  */
 template <int dim>
 struct PieceMesh
 {
-  /** Rest positions of the nodes. */
   std::vector<dealii::Point<dim>> nodes;
   /** The nodes' numbers in the uncut body. */
   std::vector<unsigned int> numbers_in_body;
@@ -25,6 +37,8 @@ struct PieceMesh
   std::vector<std::array<unsigned int, n_element_nodes<dim>>> elements;
   /** The elements' numbers in the uncut body. */
   std::vector<unsigned int> elements_in_body;
+  /** The body's groups, as far as they are in this piece. */
+  std::vector<PieceGroup> groups;
 
   double
   volume() const;
@@ -37,8 +51,31 @@ make_piece_meshes(const CoarseMesh<dim> &mesh,
                   const std::vector<unsigned int> &pieces,
                   const Body<dim> &body);
 
+/** Displacements of the nodes of the elements of the body, by element. */
+template <int dim>
+using ElementDisplacements =
+  std::vector<std::array<dealii::Tensor<1, dim>, n_element_nodes<dim>>>;
+
+/**
+ * The displacement at the nodes that the body had before refinement; called by
+ * all processes, the first one gets all of it.
+ *
+ * @param displacement with ghosts.
+ */
+template <int dim>
+ElementDisplacements<dim>
+gather_displacements(const Discretization<dim> &discretization,
+                     const unsigned int n_elements,
+                     const LA::Vector &displacement);
+
+/** Move the nodes of a piece. */
+template <int dim>
+void
+deform(PieceMesh<dim> &piece, const ElementDisplacements<dim> &displacements);
+
 /** Write a piece as a gmsh file (MSH 4.1, 20-node hexahedra or 8-node
- * quadrilaterals), its numbers plus 1, since gmsh counts from 1. */
+ * quadrilaterals) with its groups, its numbers plus 1, since gmsh counts from
+ * 1. Elements without a group are in one that is called `piece`. */
 template <int dim>
 void
 write_piece_msh(const PieceMesh<dim> &piece,

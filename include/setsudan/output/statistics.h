@@ -38,8 +38,12 @@ struct Event
    * stress at nodes they are not taken where it is singular. */
   double max_strain = 0;
   double max_shear  = 0;
-  /** What the supports give back to the body. */
+  /** What the supports that hold still give back to the body. */
   std::array<double, 3> reaction{};
+  /** The force of the clamps that move. */
+  std::array<double, 3> clamp_force{};
+  /** The pieces in which the row's front lies, as they were before this cut. */
+  std::vector<unsigned int> row_pieces = {0};
 };
 
 /** The table statistics.csv, which is rewritten as a whole for every event. */

@@ -59,6 +59,10 @@ public:
   bool
   is_given(const std::string &subsection, const std::string &name) const;
 
+  /** The path of a file that a parameter names relative to the scene file. */
+  std::string
+  path(const std::string &subsection, const std::string &name) const;
+
   /**
    * Refuse the value of a parameter. `allowed` completes "allowed is ...".
    *

@@ -22,23 +22,29 @@ public:
   /** The uncut body; `scene` must live as long. */
   CutBody(const Scene<dim> &scene, const MPI_Comm communicator);
 
-  /** Begin a new cut: find its rows. The mesh stays as it is.
+  /** Begin a new cut: find its rows. The mesh stays as it is. Pieces that have
+   * been dropped are left out.
    *
+   * @return whether there is anything left to cut.
    * @throw std::runtime_error where the cut goes through a piece that nothing
    * holds against the blade. */
-  void
-  approach(const CutSurface<dim> &surface);
+  bool
+  approach(const Cut<dim> &cut);
 
-  /** Duplicate the newest surface's nodes; all its pairs are tied. */
+  /** Duplicate the newest cut's nodes; all its pairs are tied. */
   void
   open();
 
-  /** Let go of the newest seam, find the pieces, and hold those that have lost
-   * their support.
+  /** Let go of the newest seam, find the pieces, and hold or drop those that
+   * have lost their support.
    *
    * @throw std::runtime_error where a lost piece's loads are not balanced. */
   void
   divide();
+
+  /** The newest cut. */
+  const Cut<dim> &
+  cut() const;
 
   /** The seam of the newest cut. */
   Seam<dim> &
@@ -46,12 +52,16 @@ public:
   const Seam<dim> &
   seam() const;
 
-  /** Supports, the seams and what holds loose pieces; closed. */
+  /** Supports, hanging nodes, the seams and what holds loose pieces; closed. */
   dealii::AffineConstraints<double>
   constraints() const;
 
   unsigned int
   n_pieces() const;
+
+  /** The pieces in which the front of a row lies, ascending. */
+  std::vector<unsigned int>
+  pieces_of_row(const unsigned int row) const;
 
   const MPI_Comm communicator;
   CoarseMesh<dim> mesh;
@@ -61,14 +71,28 @@ public:
   ElementLabels labels;
 
 private:
-  /** Make the model and the seams of all surfaces on the present mesh. */
+  /** A cut that has been begun, and the faces that it opens. */
+  struct BegunCut
+  {
+    const Cut<dim> *cut;
+    CutSurface<dim> surface;
+  };
+
+  /** Make the model on the present mesh. */
   void
   rebuild();
 
+  /** @param split the mesh behind the surgery of this cut. */
   Seam<dim>
-  make_seam(const CutSurface<dim> &surface) const;
+  make_seam(const BegunCut &begun, const CoarseMesh<dim> &split) const;
+
+  bool
+  drops() const;
 
   const Scene<dim> &scene;
-  std::vector<CutSurface<dim>> surfaces;
+  const Refinement refinement;
+  std::vector<BegunCut> begun_cuts;
+  /** The mesh behind the newest cut's surgery, before it is made. */
+  CoarseMesh<dim> split;
 };
 } // namespace Setsudan

@@ -39,7 +39,7 @@ public:
    *
    * @throw std::runtime_error where volume has been lost. */
   void
-  write_pieces(const CutBody<dim> &body);
+  write_pieces(const CutBody<dim> &body, const State<dim> &state);
 
   /** Warn where a linear solution has left its range: once each, until
    * warn_anew() is called. */

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <setsudan/body/body.h>
+#include <setsudan/body/body_parameters.h>
 #include <setsudan/body/supports.h>
 #include <setsudan/cut/blade.h>
-#include <setsudan/cut/cut_surface.h>
+#include <setsudan/cut/cut_parameters.h>
 #include <setsudan/cut/rows.h>
 #include <setsudan/cut/yield_criterion.h>
 #include <setsudan/elasticity/loads.h>
-#include <setsudan/elasticity/material.h>
+#include <setsudan/elasticity/material_parameters.h>
 #include <setsudan/output/output_directory.h>
 #include <setsudan/solver/solver_parameters.h>
 
@@ -33,16 +33,13 @@ struct Scene
   /** @throw SceneError for what is not possible. */
   explicit Scene(const Parameters &parameters);
 
-  /** The cutting stress at which a row yields: equation 18 of the paper. */
-  double
-  required_stress() const;
-
   const std::string length_unit;
   const std::string force_unit;
+  const BodyParameters<dim> shape;
   const Body<dim> body;
   const Supports<dim> supports;
   const LoadParameters<dim> loads;
-  const MaterialParameters material;
+  const MaterialParameters<dim> material;
   const BladeParameters<dim> blade;
   const CutParameters<dim> cut;
   const YieldParameters yield;

@@ -34,7 +34,8 @@ private:
   void
   deform_only();
 
-  void
+  /** Whether there is anything to cut. */
+  bool
   approach(const unsigned int cut);
 
   void

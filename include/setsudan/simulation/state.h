@@ -25,9 +25,7 @@ no_blade(const CutBody<dim> &body);
 /** The blade on the front of a row of the newest cut. */
 template <int dim>
 BladeLoad<dim>
-blade_on_row(const Scene<dim> &scene,
-             const CutBody<dim> &body,
-             const unsigned int row);
+blade_on_row(const CutBody<dim> &body, const unsigned int row);
 
 /** A solved state of the body. */
 template <int dim>
@@ -41,8 +39,8 @@ struct State
   LA::Vector forces;
   /** K u, with which the elements resist (see internal_forces()). */
   LA::Vector internal;
-  double load_factor    = 0;
-  double cutting_stress = 0;
+  double load_factor = 0;
+  CuttingStress stress;
   /** Whether the front row yields; set where it is asked for. */
   bool yields = false;
 };

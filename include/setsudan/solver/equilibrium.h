@@ -37,10 +37,6 @@ public:
         const LA::Vector &guess);
 
 private:
-  /** The forces on the unconstrained unknowns. */
-  LA::Vector
-  condense(const LA::Vector &forces) const;
-
   ElasticModel<dim> &model;
   const dealii::AffineConstraints<double> &constraints;
   LA::SparseMatrix matrix;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <setsudan/body/body.h>
+#include <setsudan/body/transformation.h>
+#include <setsudan/parameters/parameters.h>
+
+#include <string>
+
+namespace Setsudan
+{
+/** Subsection `Body`: the shape and its elements. */
+template <int dim>
+struct BodyParameters
+{
+  enum class Shape
+  {
+    box,
+    file
+  };
+
+  Shape shape;
+  dealii::Point<dim> size;
+  typename BoxNumbering<dim>::Indices n_elements;
+  std::string file;
+  Transformation<dim> transformation;
+  /** How often all elements are halved along each axis. */
+  unsigned int refinement;
+
+  static void
+  declare(dealii::ParameterHandler &handler);
+
+  explicit BodyParameters(const Parameters &parameters);
+};
+
+/** Make the body that a scene asks for.
+ *
+ * @throw SceneError where its file cannot be used. */
+template <int dim>
+Body<dim>
+make_body(const Parameters &parameters, const BodyParameters<dim> &choice);
+} // namespace Setsudan

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <setsudan/body/entity_key.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** A part of a body that the scene can address: a physical group of a gmsh
+ * file, or a face of a box. */
+struct Group
+{
+  /** May be empty; then the group is addressed by its number only. */
+  std::string name;
+  /** gmsh's number of the physical group, unique among those of a dimension;
+   * for the faces of a box from 1. */
+  int number;
+  /** 0 for points to dim for cells. */
+  unsigned int dimension;
+  /** The elements, where `dimension` is that of the body, ascending. */
+  std::vector<unsigned int> cells;
+  /** The faces, lines or vertices otherwise, in vertices of the uncut body. */
+  std::vector<EntityKey> entities;
+};
+
+/**
+ * The groups that a word of a scene means: those of that name (without regard
+ * to their dimension, as gmsh allows the same name again), or, where the word
+ * is a number and no name, those of that number.
+ */
+std::vector<const Group *>
+find_groups(const std::vector<Group> &groups, const std::string &word);
+
+/** The groups that can be addressed, as a list for messages. */
+std::string
+list_groups(const std::vector<Group> &groups);
+} // namespace Setsudan

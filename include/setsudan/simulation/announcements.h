@@ -1,0 +1,37 @@
+#pragma once
+
+#include <setsudan/output/statistics.h>
+#include <setsudan/simulation/cut_body.h>
+
+#include <string>
+#include <vector>
+
+// What a run says on the way, in words.
+
+namespace Setsudan
+{
+/** The body's size, and the solver that is chosen for it. */
+template <int dim>
+std::string
+describe_body(const Scene<dim> &scene, const CutBody<dim> &body);
+
+/** The newest cut. */
+template <int dim>
+std::string
+describe_cut(const CutBody<dim> &body, const unsigned int cut);
+
+/** How badly the elements follow the surface of a cut, and what to change. */
+template <int dim>
+std::string
+describe_roughness(const Cut<dim> &cut);
+
+std::string
+describe_arrest(const Event &event, const unsigned int n_rows);
+
+/** The pieces that have lost their support, besides those `known` before. */
+template <int dim>
+std::vector<std::string>
+describe_loose_pieces(const Scene<dim> &scene,
+                      const CutBody<dim> &body,
+                      const std::vector<LoosePiece> &known);
+} // namespace Setsudan

@@ -1,0 +1,118 @@
+#include <setsudan/body/body_parameters.h>
+#include <setsudan/body/gmsh_file.h>
+
+#include <limits>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+void
+BodyParameters<dim>::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Body",
+                    "Shape",
+                    "box",
+                    Patterns::Selection("box|file"),
+                    "box: from the origin to Size; file: a body of gmsh.");
+  Setsudan::declare(
+    handler,
+    "Body",
+    "Size",
+    dim == 3 ? "10, 10, 10" : "10, 10",
+    Patterns::List(Patterns::Double(), dim, dim),
+    "Edge lengths of the box along the axes, greater than 0 [length].");
+  Setsudan::declare(handler,
+                    "Body",
+                    "Elements",
+                    dim == 3 ? "1, 2, 1" : "2, 1",
+                    Patterns::List(Patterns::Integer(1), dim, dim),
+                    "Number of elements along each axis of the box: the "
+                    "paper's nx, ny and nz, each at least 1.");
+  Setsudan::declare(handler,
+                    "Body",
+                    "File",
+                    "",
+                    Patterns::Anything(),
+                    "The gmsh file of the body, .msh or .geo (which is meshed "
+                    "with the options that it sets), relative to the scene "
+                    "file. Elements are hexahedra of 8, 20 or 27 nodes (2D: "
+                    "quadrilaterals of 4, 8 or 9); its physical groups are "
+                    "addressed by name or number.");
+  Setsudan::declare(handler,
+                    "Body",
+                    "Refinement",
+                    "0",
+                    Patterns::Integer(0, 10),
+                    "How often all elements are halved along each axis [-].");
+  Transformation<dim>::declare(handler);
+}
+
+
+
+template <int dim>
+BodyParameters<dim>::BodyParameters(const Parameters &parameters)
+  : shape(parameters.text("Body", "Shape") == "box" ? Shape::box : Shape::file)
+  , file(parameters.text("Body", "File"))
+  , transformation(parameters)
+  , refinement(parameters.natural("Body", "Refinement"))
+{
+  parameters.require((shape == Shape::file) == !file.empty(),
+                     "Body",
+                     "File",
+                     "a gmsh file with Shape = file, and nothing with box");
+  const auto lengths = parameters.numbers("Body", "Size", dim);
+  const auto counts  = parameters.numbers("Body", "Elements", dim);
+  double n_cells     = 1;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      parameters.require(
+        lengths[d] > 0, "Body", "Size", "lengths greater than 0");
+      size[d]       = lengths[d];
+      n_elements[d] = static_cast<unsigned int>(counts[d]);
+      n_cells *= counts[d];
+    }
+  // Node numbers are 32 bits wide, and there are fewer than 5 nodes a cell.
+  parameters.require(n_cells < std::numeric_limits<unsigned int>::max() / 8.,
+                     "Body",
+                     "Elements",
+                     "fewer than 500 million elements in all");
+}
+
+
+
+template <int dim>
+Body<dim>
+make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
+{
+  const auto make = [&]() {
+    if (choice.shape == BodyParameters<dim>::Shape::box)
+      return make_box(choice.size, choice.n_elements);
+    try
+      {
+        return read_gmsh_file<dim>(parameters.path("Body", "File"));
+      }
+    catch (const std::runtime_error &error)
+      {
+        parameters.reject("Body",
+                          "File",
+                          std::string("a gmsh file that can be used: ") +
+                            error.what());
+      }
+  };
+  Body<dim> body = make();
+  choice.transformation.apply(body);
+  return body;
+}
+
+
+
+template struct BodyParameters<2>;
+template struct BodyParameters<3>;
+template Body<2>
+make_body(const Parameters &, const BodyParameters<2> &);
+template Body<3>
+make_body(const Parameters &, const BodyParameters<3> &);
+} // namespace Setsudan

@@ -1,0 +1,184 @@
+#include <setsudan/body/gmsh_outline.h>
+#include <setsudan/body/gmsh_sections.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace Setsudan
+{
+namespace
+{
+/** A part of a mesh file, from `$Name` to `$EndName`. */
+struct Section
+{
+  std::string name;
+  std::string_view content;
+};
+
+std::string
+read_all(const std::string &file_name)
+{
+  namespace fs = std::filesystem;
+  if (!fs::exists(file_name))
+    throw std::runtime_error("the file does not exist");
+  std::ifstream file(file_name, std::ios::binary);
+  if (!fs::is_regular_file(file_name) || !file)
+    throw std::runtime_error("the file cannot be read");
+  std::string text(fs::file_size(file_name), '\0');
+  file.read(text.data(), text.size());
+  if (!file)
+    throw std::runtime_error("the file cannot be read");
+  if (text.empty())
+    throw std::runtime_error("the file is empty");
+  return text;
+}
+
+/** The next '$' that begins a line, or npos. */
+std::size_t
+find_marker(const std::string &text, std::size_t position)
+{
+  while (true)
+    {
+      position = text.find('$', position);
+      if (position == std::string::npos || position == 0 ||
+          text[position - 1] == '\n')
+        return position;
+      ++position;
+    }
+}
+
+std::string
+word_at(const std::string &text, const std::size_t position)
+{
+  const std::size_t end = text.find_first_of(" \t\r\n", position);
+  return text.substr(position, end - position);
+}
+
+/** The sections of a text, which must live on. Binary sections can hold any
+ * bytes: so each is left by its end marker. */
+std::vector<Section>
+split_sections(const std::string &text)
+{
+  std::vector<Section> sections;
+  std::size_t position = find_marker(text, 0);
+  while (position != std::string::npos)
+    {
+      const std::string name = word_at(text, position + 1);
+      if (name.substr(0, 3) == "End")
+        throw std::runtime_error("the file is damaged: its $" + name +
+                                 " has no $" + name.substr(3));
+      const std::size_t begin = position + 1 + name.size();
+      const std::size_t end   = text.find("$End" + name, begin);
+      if (end == std::string::npos)
+        throw std::runtime_error("the file is truncated: its section $" + name +
+                                 " has no $End" + name);
+      sections.push_back(
+        {name, std::string_view(text).substr(begin, end - begin)});
+      position = find_marker(text, end + name.size());
+    }
+  return sections;
+}
+
+/** A section that every mesh must have. */
+const Section &
+find_section(const std::vector<Section> &sections, const std::string &name)
+{
+  for (const auto &section : sections)
+    if (section.name == name)
+      return section;
+  throw std::runtime_error("the file is not complete: it has no section $" +
+                           name);
+}
+
+/** Entries of dimension, number, and name in quotes, behind their count. gmsh
+ * crashes on other dimensions than 0 to 3. */
+std::vector<GmshOutline::GroupName>
+parse_group_names(const Section &section)
+{
+  std::istringstream text{std::string(section.content)};
+  std::size_t n_names = 0;
+  text >> n_names;
+  std::vector<GmshOutline::GroupName> names;
+  while (text && names.size() < n_names)
+    {
+      GmshOutline::GroupName entry;
+      char quote = ' ';
+      if (text >> entry.dimension >> entry.number >> quote &&
+          entry.dimension <= 3 && quote == '"' &&
+          std::getline(text, entry.name, '"'))
+        names.push_back(entry);
+      else
+        text.setstate(std::ios::failbit);
+    }
+  const bool is_list = bool(text);
+  text >> std::ws;
+  if (!is_list || !text.eof())
+    throw std::runtime_error("the file is damaged: its section $" +
+                             section.name + " is no list of groups");
+  return names;
+}
+
+/** The version, and whether the sections are binary. */
+std::pair<std::string, bool>
+parse_format(const Section &section)
+{
+  std::istringstream text{std::string(section.content)};
+  std::string version;
+  int file_type = -1, size = 0, one = 1;
+  text >> version >> file_type >> size;
+  if (version != "2.2" && version != "4.1")
+    throw std::runtime_error("the file is a mesh of version " + version +
+                             " of gmsh's format, and can be of 2.2 and 4.1");
+  if (file_type == 1)
+    text.ignore(text.str().size(), '\n')
+      .read(reinterpret_cast<char *>(&one), sizeof(one));
+  if (!text || (file_type != 0 && file_type != 1) || size != 8 || one != 1)
+    throw std::runtime_error(
+      "the file is damaged or from another kind of computer: its section "
+      "$MeshFormat must name numbers of 8 bytes, in this computer's order");
+  return {version, file_type == 1};
+}
+
+GmshOutline
+outline_mesh(const std::string &text)
+{
+  const std::string first = "$MeshFormat";
+  if (word_at(text, 0) != first)
+    throw std::runtime_error(
+      "the file is no mesh of gmsh: it does not begin with " + first);
+  const auto sections             = split_sections(text);
+  const auto [version, is_binary] = parse_format(sections.front());
+  const Section &nodes            = find_section(sections, "Nodes");
+  const Section &elements         = find_section(sections, "Elements");
+  const auto node_numbers =
+    check_nodes_section(version, nodes.content, is_binary);
+  GmshOutline outline = {
+    false,
+    version,
+    check_elements_section(version, elements.content, is_binary, node_numbers),
+    {}};
+  for (const auto &section : sections)
+    if (section.name == "PhysicalNames")
+      outline.group_names = parse_group_names(section);
+  return outline;
+}
+} // namespace
+
+
+GmshOutline
+outline_gmsh_file(const std::string &file_name)
+{
+  const std::string extension =
+    std::filesystem::path(file_name).extension().string();
+  const std::string text = read_all(file_name);
+  if (extension == ".geo")
+    return {true, "", {}, {}};
+  if (extension != ".msh")
+    throw std::runtime_error(
+      "the file is none of gmsh: its name ends neither in .msh nor in .geo");
+  return outline_mesh(text);
+}
+} // namespace Setsudan

@@ -1,0 +1,251 @@
+#include <setsudan/body/support_parameters.h>
+#include <setsudan/parameters/lists.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+void
+SupportParameters<dim>::declare(ParameterHandler &handler)
+{
+  const auto declare_text = [&](const std::string &name,
+                                const std::string &documentation) {
+    Setsudan::declare(
+      handler, "Support", name, "", Patterns::Anything(), documentation);
+  };
+  declare_text("Fixed faces",
+               "Faces or other groups whose nodes are held in all directions, "
+               "separated by commas. A box has left, right (x min, max), "
+               "front, back (y), bottom, top (z; in 2D y); a file has its "
+               "physical groups, by name or number.");
+  declare_text("Fixed components",
+               "Groups that are held in some directions, as 'group : "
+               "components', separated by ';', such as 'back : y; outer : "
+               "xy'.");
+  declare_text("Fixed boxes",
+               std::string("All nodes within a box in space, as '") +
+                 (dim == 3 ? "x0, y0, z0, x1, y1, z1 : components'"
+                           : "x0, y0, x1, y1 : components'") +
+                 ", separated by ';' [length].");
+  Setsudan::declare(handler,
+                    "Support",
+                    "Fixed nodes",
+                    "",
+                    Patterns::List(Patterns::Integer(0)),
+                    "Numbers of nodes that are held in all directions: of a "
+                    "box as in the paper (x fastest, then y, then z, from 0), "
+                    "of a file its own.");
+  declare_text("Displacements",
+               std::string("Groups that a clamp moves, as 'group : ") +
+                 (dim == 3 ? "ux, uy, uz" : "ux, uy") +
+                 "', separated by ';'; 'free' stands for a direction in which "
+                 "the clamp does not hold [length].");
+  Setsudan::declare(handler,
+                    "Support",
+                    "Loose pieces",
+                    "hold",
+                    Patterns::Selection("hold|drop"),
+                    "What becomes of a piece that has lost its support. hold: "
+                    "it is held by the fewest constraints, if its loads are "
+                    "in equilibrium; drop: it is left out from then on.");
+}
+
+
+
+template <int dim>
+std::vector<const Group *>
+groups_of_word(const Parameters &parameters,
+               const std::string &subsection,
+               const std::string &name,
+               const Body<dim> &body,
+               const std::string &word)
+{
+  const auto groups = find_groups(body.groups, word);
+  parameters.require(!groups.empty(),
+                     subsection,
+                     name,
+                     body.groups.empty()
+                       ? "no group, because the body has none"
+                       : "the groups " + list_groups(body.groups) + ", and '" +
+                           word + "' is none of them");
+  for (const Group *group : groups)
+    parameters.require(!group->cells.empty() || !group->entities.empty(),
+                       subsection,
+                       name,
+                       "groups that have elements, and '" + word +
+                         "' is empty");
+  return groups;
+}
+
+
+
+namespace
+{
+/** The components that a word like "xz" names; none where it is wrong. */
+template <int dim>
+std::bitset<dim>
+parse_components(const std::string &word)
+{
+  std::bitset<dim> components;
+  for (const char axis : word)
+    {
+      const auto c = std::string("xyz").substr(0, dim).find(axis);
+      if (c == std::string::npos || components[c])
+        return {};
+      components[c] = true;
+    }
+  return components;
+}
+
+template <int dim>
+const std::string axes = dim == 3 ? "x, y and z" : "x and y";
+} // namespace
+
+
+template <int dim>
+SupportParameters<dim>::SupportParameters(const Parameters &parameters,
+                                          const Body<dim> &body)
+  : loose_pieces(parameters.text("Support", "Loose pieces") == "hold"
+                   ? LoosePieces::hold
+                   : LoosePieces::drop)
+{
+  // What moves comes first: see Supports::find_contradiction().
+  read_displacements(parameters, body);
+  read_groups(parameters, body);
+  read_boxes(parameters);
+
+  std::set<unsigned int> nodes;
+  for (const double node : parameters.numbers("Support", "Fixed nodes"))
+    {
+      nodes.insert(static_cast<unsigned int>(node));
+      parameters.require(
+        body.has_node(static_cast<unsigned int>(node)),
+        "Support",
+        "Fixed nodes",
+        body.box
+          ? "node numbers from 0 to " + std::to_string(body.n_nodes() - 1)
+          : "node numbers of the file, and " +
+              std::to_string(static_cast<unsigned int>(node)) + " is none");
+    }
+  if (!nodes.empty())
+    supports.push_back({Region<dim>(nodes), std::bitset<dim>().set(), {}});
+}
+
+
+
+template <int dim>
+void
+SupportParameters<dim>::read_groups(const Parameters &parameters,
+                                    const Body<dim> &body)
+{
+  for (const auto &word : split(parameters.text("Support", "Fixed faces"), ','))
+    supports.push_back(
+      {Region<dim>(
+         body,
+         groups_of_word(parameters, "Support", "Fixed faces", body, word)),
+       std::bitset<dim>().set(),
+       {}});
+  for (const auto &[word, text] :
+       split_items(parameters.text("Support", "Fixed components"), ';'))
+    {
+      const auto components = parse_components<dim>(text);
+      parameters.require(components.any(),
+                         "Support",
+                         "Fixed components",
+                         "'group : components' with components of " +
+                           axes<dim> + ", separated by ';'");
+      supports.push_back(
+        {Region<dim>(body,
+                     groups_of_word(
+                       parameters, "Support", "Fixed components", body, word)),
+         components,
+         {}});
+    }
+}
+
+
+
+template <int dim>
+void
+SupportParameters<dim>::read_boxes(const Parameters &parameters)
+{
+  for (const auto &[corners, text] :
+       split_items(parameters.text("Support", "Fixed boxes"), ';'))
+    {
+      const auto components = parse_components<dim>(text);
+      std::vector<double> values;
+      bool valid = components.any() && parse_numbers(corners, values) &&
+                   values.size() == 2 * dim;
+      Point<dim> lower, upper;
+      for (unsigned int d = 0; valid && d < dim; ++d)
+        {
+          lower[d] = values[d];
+          upper[d] = values[dim + d];
+          valid    = lower[d] <= upper[d];
+        }
+      parameters.require(valid,
+                         "Support",
+                         "Fixed boxes",
+                         "the smallest, then the largest coordinates, ':' and "
+                         "components of " +
+                           axes<dim> + ", separated by ';'");
+      supports.push_back({Region<dim>(lower, upper), components, {}});
+    }
+}
+
+
+
+template <int dim>
+void
+SupportParameters<dim>::read_displacements(const Parameters &parameters,
+                                           const Body<dim> &body)
+{
+  for (const auto &[word, text] :
+       split_items(parameters.text("Support", "Displacements"), ';'))
+    {
+      const auto values = split(text, ',');
+      bool valid        = values.size() == dim;
+      std::bitset<dim> components;
+      Tensor<1, dim> displacement;
+      for (unsigned int d = 0; valid && d < dim; ++d)
+        if (values[d] != "free")
+          {
+            std::vector<double> value;
+            valid = parse_numbers(values[d], value) && value.size() == 1;
+            components[d] = true;
+            if (valid)
+              displacement[d] = value[0];
+          }
+      parameters.require(
+        valid && components.any(),
+        "Support",
+        "Displacements",
+        "'group : " + std::string(dim == 3 ? "ux, uy, uz" : "ux, uy") +
+          "' with numbers or 'free', separated by ';'");
+      supports.push_back(
+        {Region<dim>(
+           body,
+           groups_of_word(parameters, "Support", "Displacements", body, word)),
+         components,
+         displacement});
+    }
+}
+
+
+
+template struct SupportParameters<2>;
+template struct SupportParameters<3>;
+template std::vector<const Group *>
+groups_of_word(const Parameters &,
+               const std::string &,
+               const std::string &,
+               const Body<2> &,
+               const std::string &);
+template std::vector<const Group *>
+groups_of_word(const Parameters &,
+               const std::string &,
+               const std::string &,
+               const Body<3> &,
+               const std::string &);
+} // namespace Setsudan

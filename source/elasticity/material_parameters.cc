@@ -1,0 +1,203 @@
+#include <deal.II/base/utilities.h>
+
+#include <setsudan/body/support_parameters.h>
+#include <setsudan/elasticity/material_parameters.h>
+#include <setsudan/parameters/lists.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+void
+MaterialParameters<dim>::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Material",
+                    "Young's modulus",
+                    "5.0",
+                    Patterns::Anything(),
+                    "E, greater than 0. As the other values of a material: one "
+                    "number for the whole body, or 'group : number' for groups "
+                    "of its elements, separated by ';', as in '5; cream : 0.5' "
+                    "[force/area].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Poisson's ratio",
+                    "0.2",
+                    Patterns::Anything(),
+                    "Between -1 and 1/2, both excluded [-].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Shear limit",
+                    "1.0",
+                    Patterns::Anything(),
+                    "The shear stress at which a blade of sharpness 0 divides "
+                    "the body, greater than 0 [force/area].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Linear range",
+                    "0.5",
+                    Patterns::Double(),
+                    "Largest principal strain, in magnitude, up to which the "
+                    "linear theory is trusted; beyond it the program warns. "
+                    "Greater than 0 [-].");
+}
+
+
+
+namespace
+{
+/** A value for each element, or one for all of them. */
+using ElementValues = std::vector<double>;
+
+/**
+ * Read a parameter that is a number, or numbers for groups of elements.
+ *
+ * @param is_allowed what a number must fulfil, and `allowed` says.
+ */
+template <int dim>
+ElementValues
+read_values(const Parameters &parameters,
+            const Body<dim> &body,
+            const std::string &name,
+            const std::string &allowed,
+            bool (*is_allowed)(double))
+{
+  const auto reject_unless = [&](const bool condition,
+                                 const std::string &what) {
+    parameters.require(condition, "Material", name, what);
+  };
+  ElementValues values;
+  std::vector<bool> given(body.mesh.cells.size(), false);
+  bool all_given = false;
+  for (const auto &item : split(parameters.text("Material", name), ';'))
+    {
+      // The number stands behind the last colon, where there is one.
+      const auto colon     = item.rfind(':');
+      const bool has_group = colon != std::string::npos;
+      const std::string word =
+        has_group ? Utilities::trim(item.substr(0, colon)) : "";
+      const std::string text = has_group ? item.substr(colon + 1) : item;
+      std::vector<double> number;
+      reject_unless(parse_numbers(text, number) && number.size() == 1 &&
+                      is_allowed(number[0]),
+                    allowed + ", or 'group : number', separated by ';'");
+      if (word.empty())
+        {
+          reject_unless(!all_given && values.empty(),
+                        "one number without a group, before those of groups");
+          values    = number;
+          all_given = true;
+          continue;
+        }
+      if (values.size() != body.mesh.cells.size())
+        values.assign(body.mesh.cells.size(), all_given ? values[0] : 0.);
+      for (const Group *group :
+           groups_of_word(parameters, "Material", name, body, word))
+        {
+          reject_unless(group->dimension == dim,
+                        "values for groups of elements, and '" + word +
+                          "' is none");
+          for (const unsigned int cell : group->cells)
+            {
+              values[cell] = number[0];
+              given[cell]  = true;
+            }
+        }
+    }
+  reject_unless(!values.empty(), allowed);
+  reject_unless(all_given ||
+                  std::all_of(given.begin(),
+                              given.end(),
+                              [](const bool value) { return value; }),
+                "a number for every element: the groups leave some out, for "
+                "which a number without a group would be taken");
+  return values;
+}
+
+
+
+double
+value_of(const ElementValues &values, const unsigned int element)
+{
+  return values[values.size() == 1 ? 0 : element];
+}
+} // namespace
+
+
+template <int dim>
+MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
+                                            const Body<dim> &body)
+  : linear_range(parameters.number("Material", "Linear range"))
+{
+  const auto is_positive     = [](const double value) { return value > 0; };
+  const std::string positive = "a number greater than 0";
+  const auto moduli =
+    read_values(parameters, body, "Young's modulus", positive, is_positive);
+  const auto ratios =
+    read_values(parameters,
+                body,
+                "Poisson's ratio",
+                "a number greater than -1 and less than 0.5",
+                [](const double value) { return value > -1 && value < 0.5; });
+  const auto limits =
+    read_values(parameters, body, "Shear limit", positive, is_positive);
+  parameters.require(linear_range > 0, "Material", "Linear range", positive);
+
+  std::map<std::array<double, 3>, unsigned int> numbers;
+  for (unsigned int element = 0; element < body.mesh.cells.size(); ++element)
+    {
+      const std::array<double, 3> values{{value_of(moduli, element),
+                                          value_of(ratios, element),
+                                          value_of(limits, element)}};
+      const auto inserted = numbers.emplace(values, numbers.size());
+      if (inserted.second)
+        materials.push_back({Hooke(values[0], values[1]), values[2]});
+      material_of_element.push_back(inserted.first->second);
+    }
+  if (materials.size() == 1)
+    material_of_element.clear();
+}
+
+
+
+template <int dim>
+unsigned int
+MaterialParameters<dim>::number(const unsigned int element) const
+{
+  return material_of_element.empty() ? 0 : material_of_element[element];
+}
+
+
+
+template <int dim>
+const Material &
+MaterialParameters<dim>::of_element(const unsigned int element) const
+{
+  return materials[number(element)];
+}
+
+
+
+template <int dim>
+double
+MaterialParameters<dim>::smallest_shear_limit() const
+{
+  return std::min_element(materials.begin(),
+                          materials.end(),
+                          [](const Material &a, const Material &b) {
+                            return a.shear_limit < b.shear_limit;
+                          })
+    ->shear_limit;
+}
+
+
+
+template class MaterialParameters<2>;
+template class MaterialParameters<3>;
+} // namespace Setsudan

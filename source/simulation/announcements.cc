@@ -1,0 +1,136 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/simulation/announcements.h>
+#include <setsudan/solver/linear_solver.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+std::string
+describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
+{
+  const auto &discretization = body.model->discretization;
+  const auto n_unknowns      = discretization.dof_handler.n_dofs();
+  const auto n_elements      = scene.body.mesh.cells.size();
+  const auto n_cells = discretization.triangulation.n_global_active_cells();
+  const auto solver  = make_linear_solver(scene.solver, n_unknowns);
+  std::ostringstream line;
+  line << "Body: " << dim << "D, " << n_elements << " elements"
+       << (scene.body.mesh.is_curved() ? " with curved sides, " : ", ")
+       << scene.body.n_nodes() << " nodes, ";
+  if (n_cells > n_elements)
+    line << "refined to " << n_cells << " cells, ";
+  line << n_unknowns << " unknowns on "
+       << Utilities::MPI::n_mpi_processes(body.communicator)
+       << " process(es).\nSolver: " << solver->description();
+  if (scene.solver.method == SolverParameters::Method::automatic)
+    line << ", chosen because the unknowns "
+         << (solver->is_iterative() ? "exceed " : "do not exceed ")
+         << "Solver/Direct up to = " << scene.solver.direct_up_to;
+  return line.str() + ".";
+}
+
+
+
+template <int dim>
+std::string
+describe_cut(const CutBody<dim> &body, const unsigned int cut)
+{
+  std::ostringstream line;
+  line.precision(3);
+  line << "Cut " << cut << " (" << body.cut().text
+       << "): " << body.seam().rows().size() << " rows, "
+       << body.seam().pairs().size() << " nodes.";
+  if (body.cut().edge.turned_by > 1e-6)
+    line << " The blade's direction is turned by " << body.cut().edge.turned_by
+         << " degrees into the cut.";
+  return line.str();
+}
+
+
+
+template <int dim>
+std::string
+describe_roughness(const Cut<dim> &cut)
+{
+  std::ostringstream line;
+  line.precision(2);
+  line << "the elements do not follow this surface: their faces leave it by up "
+          "to "
+       << cut.surface.roughness
+       << " element sizes. Mesh the body along it, or take smaller elements "
+          "(Body/Elements, or the options of the file; Body/Refinement does "
+          "not help).";
+  return line.str();
+}
+
+
+
+std::string
+describe_arrest(const Event &event, const unsigned int n_rows)
+{
+  std::ostringstream line;
+  line.precision(6);
+  line << "Arrested at row " << event.row + 1 << " of " << n_rows
+       << ": the cutting stress reached " << event.cutting_stress << " and "
+       << event.required_stress << " is required, at load factor "
+       << event.load_factor << ".";
+  return line.str();
+}
+
+
+
+template <int dim>
+std::vector<std::string>
+describe_loose_pieces(const Scene<dim> &scene,
+                      const CutBody<dim> &body,
+                      const std::vector<LoosePiece> &known)
+{
+  const bool drops =
+    scene.supports.loose_pieces == SupportParameters<dim>::LoosePieces::drop;
+  std::map<std::size_t, std::string> pieces_by_hold;
+  for (const auto &loose : body.loose_pieces)
+    if (std::none_of(known.begin(), known.end(), [&](const LoosePiece &other) {
+          return other.piece == loose.piece;
+        }))
+      pieces_by_hold[loose.hold.size()] += " " + std::to_string(loose.piece);
+  std::vector<std::string> lines;
+  for (const auto &[n, pieces] : pieces_by_hold)
+    lines.push_back("  pieces without a support of their own:" + pieces + " (" +
+                    (drops ? "left out from now on"
+                           : "held at " + std::to_string(n) +
+                               " components each, which the loads do not "
+                               "strain") +
+                    ")");
+  return lines;
+}
+
+
+
+template std::string
+describe_body(const Scene<2> &, const CutBody<2> &);
+template std::string
+describe_body(const Scene<3> &, const CutBody<3> &);
+template std::string
+describe_cut(const CutBody<2> &, const unsigned int);
+template std::string
+describe_cut(const CutBody<3> &, const unsigned int);
+template std::string
+describe_roughness(const Cut<2> &);
+template std::string
+describe_roughness(const Cut<3> &);
+template std::vector<std::string>
+describe_loose_pieces(const Scene<2> &,
+                      const CutBody<2> &,
+                      const std::vector<LoosePiece> &);
+template std::vector<std::string>
+describe_loose_pieces(const Scene<3> &,
+                      const CutBody<3> &,
+                      const std::vector<LoosePiece> &);
+} // namespace Setsudan

@@ -1,0 +1,158 @@
+// Bodies from the text of gmsh files: groups, numbers, nodes in one place, and
+// cells that the file lists in directions of its own.
+
+#include <setsudan/body/gmsh_file.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../parameters/check.h"
+#include "../test_setup.h"
+#include "gmsh_bodies.h"
+#include "gmsh_text.h"
+
+using namespace Setsudan;
+using namespace dealii;
+
+template <int dim>
+void
+print_groups(const Body<dim> &body)
+{
+  for (const auto &group : body.groups)
+    {
+      std::cout << "group '" << group.name << "' " << group.number
+                << ", dimension " << group.dimension << ":";
+      for (const unsigned int cell : group.cells)
+        std::cout << " " << cell;
+      for (const auto &entity : group.entities)
+        {
+          std::cout << " (";
+          for (unsigned int i = 0; i < n_vertices(entity); ++i)
+            std::cout << (i > 0 ? " " : "") << entity[i];
+          std::cout << ")";
+        }
+      std::cout << std::endl;
+    }
+}
+
+
+void
+test_groups()
+{
+  auto mesh               = two_cubes();
+  mesh.group_names        = {"3 1 \"lower\"",
+                             "3 2 \"the upper one\"",
+                             "2 1 \"lower\"",
+                             "1 4 \"edge\"",
+                             "2 9 \"nothing\""};
+  mesh.elements[1].group  = 2;
+  mesh.elements[1].entity = 2;
+  mesh.elements.push_back({11, 3, 1, 1, {4, 3, 2, 1}});
+  mesh.elements.push_back({12, 3, 8, 2, {12, 9, 10, 11}});
+  mesh.elements.push_back({13, 1, 4, 1, {10, 9}});
+  mesh.elements.push_back({14, 15, 4, 1, {12}});
+  print_groups(read_gmsh_file<3>(write_text("groups.msh", mesh.text())));
+
+  // In version 2.2 what is in two groups is listed twice.
+  mesh.elements.push_back({15, 5, 5, 1, {1, 2, 3, 4, 5, 6, 7, 8}});
+  mesh.elements.push_back({16, 3, 6, 1, {4, 3, 2, 1}});
+  const auto body = read_gmsh_file<3>(write_text("groups.msh", mesh.text()));
+  print_groups(body);
+  print_size("two groups", body);
+}
+
+
+/** Cubes of separate nodes where they touch. */
+void
+test_coincident()
+{
+  auto mesh = two_cubes();
+  for (unsigned int node = 5; node <= 8; ++node)
+    {
+      mesh.nodes[node + 20]            = mesh.nodes[node];
+      mesh.elements[1].nodes[node - 5] = node + 20;
+    }
+  print_size("linear",
+             read_gmsh_file<3>(write_text("coincident.msh", mesh.text())));
+  mesh.make_quadratic(30);
+  print_size("quadratic",
+             read_gmsh_file<3>(write_text("coincident.msh", mesh.text())));
+}
+
+
+template <int dim>
+void
+print_numbers(const Body<dim> &body)
+{
+  for (const auto &of_element : body.node_numbers)
+    {
+      std::cout << "nodes:";
+      for (const unsigned int number : of_element)
+        std::cout << " " << number;
+      std::cout << std::endl;
+    }
+}
+
+
+/** Nodes are where the file says, in whatever direction a cell is listed. */
+template <int dim>
+void
+test_directions(TextMesh mesh,
+                const std::vector<unsigned long> &first,
+                const std::vector<unsigned long> &second)
+{
+  mesh.elements[0].nodes = first;
+  mesh.elements[1].nodes = second;
+  print_size("linear",
+             read_gmsh_file<dim>(write_text("directions.msh", mesh.text())));
+  mesh.make_quadratic(20);
+  for (auto &[number, position] : mesh.nodes)
+    if (number >= 20)
+      position[0] += 0.001 * number;
+  const auto body =
+    read_gmsh_file<dim>(write_text("directions.msh", mesh.text()));
+  print_size("quadratic", body);
+  double error = 0;
+  for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
+    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        error =
+          std::max(error,
+                   std::abs(body.mesh.node_position(cell, node)[d] -
+                            mesh.nodes.at(body.node_numbers[cell][node])[d]));
+  check_below("positions, error", error, 1e-15);
+}
+
+
+/** The file's order of elements and numbers; middle nodes that it does not have
+ * follow its largest number, which is that of a node of no element here. */
+void
+test_numbers()
+{
+  auto mesh               = two_cubes();
+  mesh.nodes[100]         = {{7., 7., 7.}};
+  mesh.elements[0].number = 9;
+  print_numbers(read_gmsh_file<3>(write_text("numbers.msh", mesh.text())));
+  auto squares = two_squares();
+  print_numbers(read_gmsh_file<2>(write_text("numbers.msh", squares.text())));
+  squares.make_quadratic(50);
+  print_numbers(read_gmsh_file<2>(write_text("numbers.msh", squares.text())));
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    test_groups();
+    test_coincident();
+    // Clockwise and counterclockwise, and with lines against each other.
+    test_directions<2>(two_squares(), {1, 2, 5, 4}, {5, 6, 3, 2});
+    test_directions<2>(two_squares(), {4, 5, 2, 1}, {6, 5, 2, 3});
+    test_directions<3>(
+      two_cubes(), {1, 2, 3, 4, 5, 6, 7, 8}, {7, 8, 5, 6, 11, 12, 9, 10});
+    test_directions<3>(
+      two_cubes(), {1, 5, 6, 2, 4, 8, 7, 3}, {6, 10, 11, 7, 5, 9, 12, 8});
+    test_numbers();
+  });
+}

@@ -1,0 +1,106 @@
+"""Bodies from files that cannot be used, and cuts that cannot be made through
+them: wrong_bodies.py PROGRAM
+
+What reading refuses is tested in tests/body/gmsh_refusals; here it is that the
+program says it in one sentence and writes nothing.
+"""
+
+import sys
+
+from program_cases import SCENE, run_cases, wrong_value
+
+# A block of 4 x 4 x 2 hexahedra with its groups.
+GEOMETRY = """
+Point(1) = {0, 0, 0};
+l[] = Extrude {4, 0, 0} { Point{1}; Layers{4}; };
+s[] = Extrude {0, 4, 0} { Curve{l[1]}; Layers{4}; Recombine; };
+v[] = Extrude {0, 0, 2} { Surface{s[1]}; Layers{2}; Recombine; };
+Physical Volume("block", 1) = {v[1]};
+Physical Surface("ground", 2) = {s[1]};
+Physical Surface("lid", 3) = {v[0]};
+"""
+
+# One hexahedron of 8 nodes, of which two are exchanged.
+INVERTED = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0 0 1
+6 1 0 1
+7 1 1 1
+8 0 1 1
+$EndNodes
+$Elements
+1
+1 5 2 1 1 2 1 3 4 5 6 7 8
+$EndElements
+"""
+
+FILE_SCENE = {
+    **SCENE,
+    "Body/Shape": "file",
+    "Body/File": "body.geo",
+    "Support/Fixed faces": "ground",
+    "Blade/Edge loads": "1:1",
+    "Cut/Surfaces": "plane: 2, 0, 0; 1, 0, 0",
+}
+for box_only in ("Body/Size", "Body/Elements"):
+    del FILE_SCENE[box_only]
+
+
+def wrong_file(name, text, allowed):
+    """A file that cannot be used."""
+    case = wrong_value("Body/File", name, allowed, FILE_SCENE)
+    return case._replace(files={**case.files, name: text})
+
+
+def wrong_on_block(path, value, allowed, geometry=GEOMETRY):
+    """A value that does not go with the block."""
+    case = wrong_value(path, value, allowed, FILE_SCENE)
+    return case._replace(files={**case.files, "body.geo": geometry})
+
+
+def wrong_on_box(path, value, allowed, **also):
+    """A value that does not go with a box of 4 x 4 x 2 elements."""
+    return wrong_value(path, value, allowed, SCENE,
+                       {"Body/Size": "4, 4, 2", "Body/Elements": "4, 4, 2",
+                        "Blade/Edge loads": "1:1", **also})
+
+
+CASES = [
+    wrong_file("empty.msh", "", "the file is empty"),
+    wrong_file("empty.geo", "", ""),
+    wrong_file("truncated.msh", INVERTED[:150], "truncated"),
+    wrong_file("inverted.msh", INVERTED, "element 1 is flat or inverted"),
+    wrong_file("syntax.geo", "Point(1) = {0, 0, 0};\nLine(1) = 2;\n", "line 2"),
+    wrong_file("tetrahedra.geo", GEOMETRY.replace("Recombine;", ""), ""),
+    wrong_file("body.txt", GEOMETRY, ""),
+    wrong_on_block("Support/Fixed faces", "floor",
+                   "the groups ground, lid, block, and 'floor' is none of them"),
+    wrong_on_block("Material/Young's modulus", "5; ground: 2", "'ground' is none"),
+    wrong_on_block("Material/Young's modulus", "lid: 2", "is none"),
+    wrong_on_block("Load/Pressures", "block: 2", "'block' holds elements"),
+    wrong_on_block("Cut/Surfaces", "x:1", "it has no numbered layers"),
+    wrong_on_block("Cut/Surfaces", "group: ground", "lies on the boundary"),
+    wrong_on_block("Cut/Surfaces", "group: block", "'block' is none"),
+    wrong_on_block("Cut/Surfaces", "group: wall", "'wall' is none of them"),
+    wrong_on_block("Cut/Surfaces", "between: block, lid", "'lid' is none"),
+    wrong_on_block("Cut/Surfaces", "plane: 9, 0, 0; 1, 0, 0", "touches no face"),
+    wrong_on_block("Support/Fixed components", "ground : w", "'group : components'"),
+    wrong_on_block("Support/Displacements", "ground : 0, 0, 1",
+                   "displacements that agree with the other supports"),
+    wrong_on_box("Cut/Surfaces", "where: (x-2)*(y-2)", "meets itself wrongly"),
+    wrong_on_box("Cut/Surfaces", "where: x -", "that muParser understands"),
+    wrong_on_box("Cut/Surfaces", "x:2", "every node stays joined",
+                 **{"Cut/Extent": "box: 1.9, 1.1, -1, 2.1, 1.9, 0.9",
+                    "Body/Size": "4, 4, 4", "Body/Elements": "4, 4, 4"})._replace(
+                        name="a slit of one element"),
+]
+
+if __name__ == "__main__":
+    sys.exit(run_cases(sys.argv[1], CASES))
