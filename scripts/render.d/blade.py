@@ -13,22 +13,32 @@ class Blade:
         self.body = parameters["Body/Shape"]
         self.size = numbers(parameters["Body/Size"], self.dimension)
         self.elements = numbers(parameters["Body/Elements"], self.dimension)
-        self.direction = unit(numbers(parameters["Blade/Direction"],
-                                      self.dimension))
+        self.direction = unit(numbers(
+            item(parameters["Blade/Direction"], cut), self.dimension))
         self.loads = [tuple(map(float, load.split(":"))) for load in
-                      parameters["Blade/Edge loads"].split(",") if load.strip()]
-        surfaces = [s for s in parameters["Cut/Surfaces"].split(";")
-                    if s.strip()]
-        axis, boundary = surfaces[cut].split(":") if surfaces else ("y", "0")
-        self.has_cut = bool(surfaces)
-        self.axis = "xyz".index(axis.strip())
-        self.boundary = int(boundary)
-        self.normal = np.eye(3)[self.axis]
+                      item(parameters["Blade/Edge loads"], cut).split(",")
+                      if load.strip()]
+        self.axis = self.boundary = None
+        self.normal = np.array([0.0, 1.0, 0.0])
+        self.set_surface(surfaces_of(parameters["Cut/Surfaces"]), cut)
         self.edge = np.cross(self.normal, self.direction)
+
+    def set_surface(self, surfaces, cut):
+        """The normal of a cut, as far as its item tells it, and the layers of
+        elements between which a box is cut."""
+        if cut >= len(surfaces):
+            return
+        kind, text = (part.strip() for part in surfaces[cut].split(":", 1))
+        if kind in ("x", "y", "z"):
+            self.axis = "xyz".index(kind)
+            self.boundary = int(text)
+            self.normal = np.eye(3)[self.axis]
+        elif kind == "plane":
+            self.normal = unit(numbers(text.split(";")[1], self.dimension))
 
     def forces(self, depth, load_factor):
         """(point, force) of each load while the front is at this depth."""
-        if self.body != "box" or not self.has_cut:
+        if self.body != "box" or self.axis is None:
             return []
         return [(self.point(position, depth), load_factor * force)
                 for position, force in self.loads]
@@ -48,6 +58,24 @@ class Blade:
         point[free] = (entry + depth - np.dot(self.direction, point)) / \
             self.direction[free]
         return point
+
+
+def item(text, cut):
+    """The item of a cut in a list that has one for each, or one for all."""
+    items = text.split(";")
+    return items[cut if len(items) > 1 else 0]
+
+
+def surfaces_of(text):
+    """The items of Cut/Surfaces; a plane has a ';' of its own."""
+    surfaces = []
+    for part in text.split(";"):
+        if surfaces and surfaces[-1].startswith("plane") and \
+                ";" not in surfaces[-1]:
+            surfaces[-1] += ";" + part
+        elif part.strip():
+            surfaces.append(part.strip())
+    return surfaces
 
 
 def numbers(text, dimension):

@@ -5,6 +5,7 @@ import os
 
 import matplotlib
 import matplotlib.image
+from blade import Blade
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.patheffects import withStroke
@@ -65,6 +66,8 @@ class Pictures:
 
 
 def legend(run):
+    if not Blade(run.parameters).forces(0, 1):
+        return "Grey: the body at rest."
     force = run.parameters.get("Force unit", "")
     unit = f" [{force}]" if force else ""
     return f"Arrows: forces of the blade{unit}. Dashed: the row they act on " \
@@ -76,7 +79,8 @@ def stage(run, frame):
     events = {line["event"]: line for line in run.events(frame)}
     line = list(events.values())[-1]
     if "divide" in events:
-        return f"divided into {line['pieces']} pieces"
+        return "cut open" if line["pieces"] == "1" else \
+            f"divided into {line['pieces']} pieces"
     if "rest" in events:
         return "at rest"
     cuts = {line["cut"] for line in run.statistics}

@@ -2,7 +2,8 @@
 """Run a scene and compare its statistics with an expected table.
 
 Columns of numbers must agree to the tolerance, relative to the largest value
-in the column (for the reaction, in its three columns); residuals must be small; the time is not compared. With
+in the column (for the reaction and the clamps' force, in their three columns);
+texts must be the same; residuals must be small; the time is not compared. With
 --update the expected table is written instead.
 """
 
@@ -17,7 +18,11 @@ import tables
 
 LARGEST_RESIDUAL = 1e-8
 RESIDUALS = ("force_residual", "moment_residual")
-REACTION = ("reaction_x", "reaction_y", "reaction_z")
+VECTORS = (
+    ("reaction_x", "reaction_y", "reaction_z"),
+    ("clamp_x", "clamp_y", "clamp_z"),
+)
+TEXT = ("event", "row_pieces")
 NOT_COMPARED = ("seconds",) + RESIDUALS
 
 
@@ -36,14 +41,14 @@ def column_errors(lines, expected, tolerance):
     for column in expected[0]:
         if column in NOT_COMPARED:
             continue
-        if column == "event":
+        if column in TEXT:
             same = [line[column] for line in lines] == [line[column] for line in expected]
             if not same:
-                yield "the events differ"
+                yield f"{column} differs"
             continue
         values = [float(line[column]) for line in lines]
         others = [float(line[column]) for line in expected]
-        group = REACTION if column in REACTION else (column,)
+        group = next((v for v in VECTORS if column in v), (column,))
         scale = max(abs(float(line[c])) for line in expected for c in group)
         error = max(tables.relative_error(a, b, scale) for a, b in zip(values, others))
         if not error <= tolerance:
