@@ -79,7 +79,7 @@ def stage(run, frame):
     events = {line["event"]: line for line in run.events(frame)}
     line = list(events.values())[-1]
     if "divide" in events:
-        return "cut open" if line["pieces"] == "1" else \
+        return "cut open" if int(line["pieces"]) == 1 else \
             f"divided into {line['pieces']} pieces"
     if "rest" in events:
         return "at rest"

@@ -1,4 +1,4 @@
-// Rows, board and lever rule of the blade, without solving.
+// Rows, board, edge and lever rule of the blade, without solving.
 
 #include <setsudan/body/point_name.h>
 #include <setsudan/cut/seam.h>
@@ -51,6 +51,38 @@ print_rows(const std::string &elements,
     }
 }
 
+/** The edge in a surface of this area vector and area. */
+template <int dim>
+void
+print_edge(const dealii::Tensor<1, dim> &vector,
+           const double area,
+           const dealii::Tensor<1, dim> &direction)
+{
+  const BladeEdge<dim> edge({vector, area}, direction / direction.norm());
+  std::cout << "edge in (" << vector << "), on the way (" << direction
+            << "): to (";
+  for (unsigned int d = 0; d < dim; ++d)
+    std::cout << (d == 0 ? "" : " ")
+              << (std::abs(edge.direction[d]) < 1e-15 ? 0. : edge.direction[d]);
+  std::cout << "), turned by " << edge.turned_by << " degrees, along "
+            << "xyz"[edge.axis] << std::endl;
+}
+
+void
+test_edges()
+{
+  using T = dealii::Tensor<1, 3>;
+  print_edge<3>(T({0, 4, 0}), 4, T({0, 0, -1}));
+  print_edge<3>(T({0, 4, 0}), 4, T({0, 1, -1}));
+  print_edge<3>(T({0, 4, 0}), 4, T({1, 0, -2}));
+  print_edge<3>(T({3, 0, 0}), 4, T({0, 3, -1}));
+  print_edge<3>(T({1, 1, 0}), 4, T({0, 0, -1}));
+  print_edge<3>(T({1, 2, 0}), 4, T({0, 0, -1}));
+  // Closed: nothing to be projected into.
+  print_edge<3>(T({0, 0, 0}), 4, T({0, 1, -1}));
+  print_edge<2>(dealii::Tensor<1, 2>({1, 1}), 2, dealii::Tensor<1, 2>({0, -1}));
+}
+
 int
 main(int argc, char **argv)
 {
@@ -60,6 +92,8 @@ main(int argc, char **argv)
     print_rows("2,2,2", "y:1", "0,0,-1", "element row");
     print_rows("2,2,2", "y:1", "-1,0,0", "element row");
     print_rows("2,2,2", "z:1", "0,1,0", "node row");
+
+    test_edges();
 
     // Loads between, on and at the ends of the nodes 0, 1, 4, 10.
     const std::vector<EdgeLoad> loads = {
