@@ -1,6 +1,7 @@
 #include <setsudan/cut/fronts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -117,6 +118,43 @@ order_by_coordinate(const SurfaceNodes<dim> &nodes,
 
 
 
+/** Which of two nodes is nearer to the beginning of a front that no axis
+ * follows: the one of the smaller coordinate along the edge, or, where these
+ * are equal up to round-off, across it. It is the same place in all rows. */
+template <int dim>
+class Beginning
+{
+public:
+  Beginning(const SurfaceNodes<dim> &nodes, const BladeEdge<dim> &edge)
+    : nodes(nodes)
+    , edge(edge)
+  {
+    Tensor<1, dim> axis;
+    axis[edge.axis] = 1;
+    if constexpr (dim == 3)
+      across = cross_product_3d(axis, edge.direction);
+    for (const auto &pair : nodes.pairs)
+      tolerance = std::max(
+        tolerance, 1e-6 * pair.position.distance(nodes.pairs[0].position));
+  }
+
+  bool
+  operator()(const unsigned int a, const unsigned int b) const
+  {
+    const auto &x = nodes.pairs[a].position, &y = nodes.pairs[b].position;
+    const double along = edge.position(x) - edge.position(y);
+    return std::abs(along) > tolerance ? along < 0 : across * (x - y) < 0;
+  }
+
+private:
+  const SurfaceNodes<dim> &nodes;
+  const BladeEdge<dim> &edge;
+  Tensor<1, dim> across;
+  double tolerance = 0;
+};
+
+
+
 template <int dim>
 void
 order_by_length(const SurfaceNodes<dim> &nodes,
@@ -124,27 +162,22 @@ order_by_length(const SurfaceNodes<dim> &nodes,
                 std::vector<Chain> chains,
                 Layer &layer)
 {
-  const auto position = [&](const unsigned int p) {
-    return edge.position(nodes.pairs[p].position);
-  };
+  const Beginning<dim> is_nearer(nodes, edge);
   for (auto &chain : chains)
     if (chain.closed)
       {
-        // Any node can be the first of a ring: that of the smallest position.
-        std::rotate(chain.nodes.begin(),
-                    std::min_element(chain.nodes.begin(),
-                                     chain.nodes.end(),
-                                     [&](const auto a, const auto b) {
-                                       return position(a) < position(b);
-                                     }),
-                    chain.nodes.end());
+        // Any node can be the first of a ring.
+        std::rotate(
+          chain.nodes.begin(),
+          std::min_element(chain.nodes.begin(), chain.nodes.end(), is_nearer),
+          chain.nodes.end());
         chain.nodes.push_back(chain.nodes.front());
       }
-    else if (position(chain.nodes.front()) > position(chain.nodes.back()))
+    else if (is_nearer(chain.nodes.back(), chain.nodes.front()))
       std::reverse(chain.nodes.begin(), chain.nodes.end());
   std::stable_sort(
     chains.begin(), chains.end(), [&](const Chain &a, const Chain &b) {
-      return position(a.nodes.front()) < position(b.nodes.front());
+      return is_nearer(a.nodes.front(), b.nodes.front());
     });
 
   double length = 0;
