@@ -2,6 +2,7 @@
 #include <deal.II/distributed/tria.h>
 
 #include <setsudan/body/geometry.h>
+#include <setsudan/body/region.h>
 #include <setsudan/cut/near_cut.h>
 #include <setsudan/cut/neighborhood.h>
 
@@ -29,6 +30,7 @@ public:
     , communicator(communicator)
     , triangulation(communicator)
     , faces(faces_of_cuts(cut))
+    , cut_region(region_of_faces(body, faces))
     , neighborhood(body, faces, cut.near_cut_width)
     , has_width(cut.near_cut_width > 0)
   {
@@ -95,6 +97,15 @@ private:
     return faces;
   }
 
+  static Region<dim>
+  region_of_faces(const Body<dim> &body, const std::set<CellFace> &faces)
+  {
+    Group group{"", 0, dim - 1, {}, {}};
+    for (const auto &face : faces)
+      group.entities.push_back(body.mesh.face_key(face));
+    return Region<dim>(body, {&group});
+  }
+
   bool
   is_on_cut(const Cell &cell, const unsigned int face) const
   {
@@ -109,19 +120,19 @@ private:
   bool
   is_near(const Cell &cell) const
   {
-    for (const unsigned int f : cell->face_indices())
-      if (is_on_cut(cell, f))
-        return true;
-    if (!has_width)
-      return false;
+    // Also a cell that touches the cut in a line or a vertex only: a coarser
+    // one would leave hanging nodes on one side of the cut.
     const CellPath path = path_of_cell<dim>(cell);
     const auto nodes    = body.mesh.node_positions(path.element);
     for (const unsigned int v : cell->vertex_indices())
-      if (neighborhood.contains(
-            point_of_element(nodes,
-                             point_in_element<dim>(
-                               path, GeometryInfo<dim>::unit_cell_vertex(v)))))
-        return true;
+      {
+        const auto point =
+          point_in_element<dim>(path, GeometryInfo<dim>::unit_cell_vertex(v));
+        if (cut_region.contains(body, path.element, point) ||
+            (has_width &&
+             neighborhood.contains(point_of_element(nodes, point))))
+          return true;
+      }
     return false;
   }
 
@@ -129,6 +140,8 @@ private:
   const MPI_Comm communicator;
   parallel::distributed::Triangulation<dim> triangulation;
   const std::set<CellFace> faces;
+  /** The faces with their lines and vertices. */
+  const Region<dim> cut_region;
   const Neighborhood<dim> neighborhood;
   const bool has_width;
 };
