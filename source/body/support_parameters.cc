@@ -1,3 +1,4 @@
+#include <setsudan/body/groups_of_word.h>
 #include <setsudan/body/support_parameters.h>
 #include <setsudan/parameters/lists.h>
 
@@ -49,33 +50,6 @@ SupportParameters<dim>::declare(ParameterHandler &handler)
                     "What becomes of a piece that has lost its support. hold: "
                     "it is held by the fewest constraints, if its loads are "
                     "in equilibrium; drop: it is left out from then on.");
-}
-
-
-
-template <int dim>
-std::vector<const Group *>
-groups_of_word(const Parameters &parameters,
-               const std::string &subsection,
-               const std::string &name,
-               const Body<dim> &body,
-               const std::string &word)
-{
-  const auto groups = find_groups(body.groups, word);
-  parameters.require(!groups.empty(),
-                     subsection,
-                     name,
-                     body.groups.empty()
-                       ? "no group, because the body has none"
-                       : "the groups " + list_groups(body.groups) + ", and '" +
-                           word + "' is none of them");
-  for (const Group *group : groups)
-    parameters.require(!group->cells.empty() || !group->entities.empty(),
-                       subsection,
-                       name,
-                       "groups that have elements, and '" + word +
-                         "' is empty");
-  return groups;
 }
 
 
@@ -236,16 +210,4 @@ SupportParameters<dim>::read_displacements(const Parameters &parameters,
 
 template struct SupportParameters<2>;
 template struct SupportParameters<3>;
-template std::vector<const Group *>
-groups_of_word(const Parameters &,
-               const std::string &,
-               const std::string &,
-               const Body<2> &,
-               const std::string &);
-template std::vector<const Group *>
-groups_of_word(const Parameters &,
-               const std::string &,
-               const std::string &,
-               const Body<3> &,
-               const std::string &);
 } // namespace Setsudan

@@ -66,6 +66,15 @@ Supports<dim>::move() const
 
 
 template <int dim>
+bool
+Supports<dim>::drop_loose_pieces() const
+{
+  return loose_pieces == SupportParameters<dim>::LoosePieces::drop;
+}
+
+
+
+template <int dim>
 std::optional<Point<dim>>
 Supports<dim>::find_contradiction() const
 {

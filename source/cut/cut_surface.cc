@@ -15,19 +15,26 @@ template <int dim>
 std::vector<EntityKey>
 edges_of_face(const Body<dim> &body, const CellFace &face)
 {
-  std::vector<unsigned int> vertices;
-  for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
-    vertices.push_back(
-      body.mesh.cells[face.first]
-        .vertices[GeometryInfo<dim>::face_to_cell_vertices(face.second, v)]);
-  if (dim == 2)
-    return {make_entity_key(std::vector<unsigned int>{vertices[0]}),
-            make_entity_key(std::vector<unsigned int>{vertices[1]})};
+  const auto key_of = [&](const std::vector<unsigned int> &local_vertices) {
+    std::vector<unsigned int> vertices;
+    for (const unsigned int v : local_vertices)
+      vertices.push_back(body.mesh.cells[face.first].vertices[v]);
+    return make_entity_key(vertices);
+  };
   std::vector<EntityKey> edges;
-  for (const auto &[a, b] : std::vector<std::pair<unsigned int, unsigned int>>{
-         {0, 1}, {1, 3}, {3, 2}, {2, 0}})
-    edges.push_back(make_entity_key(std::vector<unsigned int>{
-      vertices[a % vertices.size()], vertices[b % vertices.size()]}));
+  if constexpr (dim == 2)
+    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+      edges.push_back(
+        key_of({GeometryInfo<dim>::face_to_cell_vertices(face.second, v)}));
+  else
+    for (unsigned int l = 0; l < GeometryInfo<dim>::lines_per_face; ++l)
+      {
+        const unsigned int line =
+          GeometryInfo<dim>::face_to_cell_lines(face.second, l);
+        edges.push_back(
+          key_of({GeometryInfo<dim>::line_to_cell_vertices(line, 0),
+                  GeometryInfo<dim>::line_to_cell_vertices(line, 1)}));
+      }
   return edges;
 }
 

@@ -103,16 +103,16 @@ template <int dim>
 void
 order_by_coordinate(const SurfaceNodes<dim> &nodes,
                     const BladeEdge<dim> &edge,
-                    Layer &layer)
+                    Row &row)
 {
   std::vector<std::pair<double, unsigned int>> along;
-  for (const unsigned int p : layer.nodes)
+  for (const unsigned int p : row.pairs)
     along.emplace_back(edge.position(nodes.pairs[p].position), p);
   std::sort(along.begin(), along.end());
   for (const auto &[position, p] : along)
     {
-      layer.front.push_back(p);
-      layer.positions.push_back(position);
+      row.front.push_back(p);
+      row.positions.push_back(position);
     }
 }
 
@@ -160,7 +160,7 @@ void
 order_by_length(const SurfaceNodes<dim> &nodes,
                 const BladeEdge<dim> &edge,
                 std::vector<Chain> chains,
-                Layer &layer)
+                Row &row)
 {
   const Beginning<dim> is_nearer(nodes, edge);
   for (auto &chain : chains)
@@ -184,11 +184,11 @@ order_by_length(const SurfaceNodes<dim> &nodes,
   for (const auto &chain : chains)
     for (const unsigned int p : chain.nodes)
       {
-        if (!layer.front.empty())
-          length += nodes.pairs[layer.front.back()].position.distance(
+        if (!row.front.empty())
+          length += nodes.pairs[row.front.back()].position.distance(
             nodes.pairs[p].position);
-        layer.front.push_back(p);
-        layer.positions.push_back(length);
+        row.front.push_back(p);
+        row.positions.push_back(length);
       }
 }
 } // namespace
@@ -198,23 +198,23 @@ template <int dim>
 void
 order_fronts(const SurfaceNodes<dim> &nodes,
              const BladeEdge<dim> &edge,
-             std::vector<Layer> &layers)
+             std::vector<Row> &rows)
 {
   std::vector<unsigned int> layer_of_node(nodes.pairs.size());
-  for (unsigned int l = 0; l < layers.size(); ++l)
-    for (const unsigned int p : layers[l].nodes)
+  for (unsigned int l = 0; l < rows.size(); ++l)
+    for (const unsigned int p : rows[l].pairs)
       layer_of_node[p] = l;
-  std::vector<std::set<unsigned int>> faces(layers.size());
+  std::vector<std::set<unsigned int>> faces(rows.size());
   for (unsigned int f = 0; f < nodes.faces.size(); ++f)
     for (const unsigned int p : nodes.faces[f])
       faces[layer_of_node[p]].insert(f);
 
   std::vector<std::vector<Chain>> chains;
   bool axis_follows = true;
-  for (unsigned int l = 0; l < layers.size(); ++l)
+  for (unsigned int l = 0; l < rows.size(); ++l)
     {
       chains.push_back(
-        follow_links(layers[l].nodes,
+        follow_links(rows[l].pairs,
                      link_nodes(nodes,
                                 edge,
                                 layer_of_node,
@@ -224,21 +224,17 @@ order_fronts(const SurfaceNodes<dim> &nodes,
       for (const auto &chain : chains.back())
         axis_follows = axis_follows && is_monotone(nodes, edge, chain);
     }
-  for (unsigned int l = 0; l < layers.size(); ++l)
+  for (unsigned int l = 0; l < rows.size(); ++l)
     if (axis_follows)
-      order_by_coordinate(nodes, edge, layers[l]);
+      order_by_coordinate(nodes, edge, rows[l]);
     else
-      order_by_length(nodes, edge, chains[l], layers[l]);
+      order_by_length(nodes, edge, chains[l], rows[l]);
 }
 
 
 
 template void
-order_fronts(const SurfaceNodes<2> &,
-             const BladeEdge<2> &,
-             std::vector<Layer> &);
+order_fronts(const SurfaceNodes<2> &, const BladeEdge<2> &, std::vector<Row> &);
 template void
-order_fronts(const SurfaceNodes<3> &,
-             const BladeEdge<3> &,
-             std::vector<Layer> &);
+order_fronts(const SurfaceNodes<3> &, const BladeEdge<3> &, std::vector<Row> &);
 } // namespace Setsudan

@@ -45,23 +45,6 @@ public:
       if (cell->is_locally_owned() && cell->level() == level && is_near(cell))
         cell->set_refine_flag();
     triangulation.execute_coarsening_and_refinement();
-    // The rule that neighbors differ by one level at most leaves faces that
-    // are refined on one side only.
-    for (bool changed = true; changed;)
-      {
-        changed = false;
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned())
-            for (const unsigned int f : cell->face_indices())
-              if (cell->face(f)->has_children() && is_on_cut(cell, f))
-                {
-                  cell->set_refine_flag();
-                  changed = true;
-                }
-        changed = Utilities::MPI::logical_or(changed, communicator);
-        if (changed)
-          triangulation.execute_coarsening_and_refinement();
-      }
   }
 
   /** The cells that are refined below the first levels. */
@@ -107,21 +90,10 @@ private:
   }
 
   bool
-  is_on_cut(const Cell &cell, const unsigned int face) const
-  {
-    const CellPath path = path_of_cell<dim>(cell);
-    if (faces.count({path.element, face}) == 0)
-      return false;
-    Point<dim> point;
-    point[face / 2] = face % 2;
-    return point_in_element<dim>(path, point)[face / 2] == face % 2;
-  }
-
-  bool
   is_near(const Cell &cell) const
   {
-    // Also a cell that touches the cut in a line or a vertex only: a coarser
-    // one would leave hanging nodes on one side of the cut.
+    // Also a cell that touches the cut in a line or a vertex only: so all cells
+    // at a cut have the same level, and none of its nodes hangs.
     const CellPath path = path_of_cell<dim>(cell);
     const auto nodes    = body.mesh.node_positions(path.element);
     for (const unsigned int v : cell->vertex_indices())

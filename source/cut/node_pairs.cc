@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <tuple>
 
 namespace Setsudan
 {
@@ -25,23 +24,20 @@ namespace
 {
 /** What one side's cell knows of a node of a cut face, as plain numbers, since
  * it is sent to the other processes: index of the face in the surface, side,
- * path of the cell in its element, node of the cell, supported components and
- * whether it hangs, unknowns. */
+ * path of the cell in its element, node of the cell, supported components,
+ * unknowns. */
 template <int dim>
 using Report = std::array<std::uint64_t, 5 + dim>;
 
 template <int dim>
 std::uint64_t
-flags_of_node(const ElasticModel<dim> &model,
-              const typename Discretization<dim>::NodeIndices &node)
+supported_components(const ElasticModel<dim> &model,
+                     const typename Discretization<dim>::NodeIndices &node)
 {
-  std::uint64_t flags = 0;
+  std::bitset<dim> supported;
   for (unsigned int c = 0; c < dim; ++c)
-    if (model.supports.is_constrained(node[c]))
-      flags |= 1u << c;
-  if (model.hanging.is_constrained(node[0]))
-    flags |= 1u << dim;
-  return flags;
+    supported[c] = model.supports.is_constrained(node[c]);
+  return supported.to_ulong();
 }
 
 template <int dim>
@@ -78,7 +74,11 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
                   if (points[node][face / 2] != face % 2)
                     break;
                   Report<dim> report{
-                    {f, side, path, node, flags_of_node(model, nodes[node])}};
+                    {f,
+                     side,
+                     path,
+                     node,
+                     supported_components(model, nodes[node])}};
                   std::copy(
                     nodes[node].begin(), nodes[node].end(), report.begin() + 5);
                   reports.push_back(report);
@@ -121,7 +121,8 @@ public:
     const PointName name = name_of_point(body.mesh, side.first, point);
     const PointName cell_face =
       name_of_point(body.mesh, side.first, point_in_element<dim>(path, center));
-    NodePair<dim> &pair = pairs[{report[0], cell_face}][name];
+    Entry &entry        = entries[{report[0], cell_face}][name];
+    NodePair<dim> &pair = entry.pair;
     pair.name           = name;
     pair.is_corner =
       vertices_of_node<dim>(node)[0] == vertices_of_node<dim>(node)[1];
@@ -136,13 +137,7 @@ public:
     auto &indices = is_minus ? pair.minus : pair.plus;
     std::copy(report.begin() + 5, report.end(), indices.begin());
     pair.supported |= std::bitset<dim>(report[4]);
-    pair.is_hanging = pair.is_hanging || (report[4] >> dim) != 0;
-    // A node is divided if an end of the line it lies on, or a corner of the
-    // face, is.
-    names_in_split[{report[0], cell_face, name}].push_back(
-      name_of_point(split, side.first, point));
-    const auto &names = names_in_split[{report[0], cell_face, name}];
-    pair.is_divided   = names.front() != names.back();
+    entry.name_in_split[report[1]] = name_of_point(split, side.first, point);
   }
 
   /** The faces that meet at a node name the same pair. */
@@ -154,18 +149,20 @@ public:
       return Key{pair.name, {{pair.minus[0], pair.plus[0]}}};
     };
     std::map<Key, NodePair<dim>> unique;
-    for (const auto &[face, of_face] : pairs)
-      for (const auto &[name, pair] : of_face)
+    for (const auto &[face, of_face] : entries)
+      for (const auto &[name, entry] : of_face)
         {
-          const auto inserted = unique.emplace(key_of(pair), pair);
+          const auto inserted = unique.emplace(key_of(entry.pair), entry.pair);
           auto &whole         = inserted.first->second;
           if (!inserted.second)
             {
-              whole.normal += pair.normal;
-              whole.supported |= pair.supported;
-              whole.is_hanging = whole.is_hanging || pair.is_hanging;
-              whole.is_divided = whole.is_divided || pair.is_divided;
+              whole.normal += entry.pair.normal;
+              whole.supported |= entry.pair.supported;
             }
+          // A node is divided if an end of the line it lies on, or a corner of
+          // the face, is.
+          whole.is_divided = whole.is_divided ||
+                             entry.name_in_split[0] != entry.name_in_split[1];
         }
 
     SurfaceNodes<dim> result;
@@ -176,11 +173,11 @@ public:
         pair.normal /= pair.normal.norm();
         result.pairs.push_back(pair);
       }
-    for (const auto &[face, of_face] : pairs)
+    for (const auto &[face, of_face] : entries)
       {
         result.faces.emplace_back();
-        for (const auto &[name, pair] : of_face)
-          result.faces.back().push_back(number.at(key_of(pair)));
+        for (const auto &[name, entry] : of_face)
+          result.faces.back().push_back(number.at(key_of(entry.pair)));
       }
     return result;
   }
@@ -189,13 +186,17 @@ private:
   const CutSurface<dim> &surface;
   const Body<dim> &body;
   const CoarseMesh<dim> &split;
+  /** A pair as one face has it, and the names of its sides behind the
+   * surgery. */
+  struct Entry
+  {
+    NodePair<dim> pair{};
+    std::array<PointName, 2> name_in_split;
+  };
+
   /** By face of a cell, named by its center, and by node. */
-  std::map<std::pair<std::uint64_t, PointName>,
-           std::map<PointName, NodePair<dim>>>
-    pairs;
-  std::map<std::tuple<std::uint64_t, PointName, PointName>,
-           std::vector<PointName>>
-    names_in_split;
+  std::map<std::pair<std::uint64_t, PointName>, std::map<PointName, Entry>>
+    entries;
 };
 } // namespace
 

@@ -73,7 +73,7 @@ namespace
 /** The nodes of the cut in layers, in the order in which the blade reaches
  * them. */
 template <int dim>
-std::vector<Layer>
+std::vector<Row>
 make_layers(const SurfaceNodes<dim> &nodes,
             const BladeEdge<dim> &edge,
             const double tolerance)
@@ -87,7 +87,7 @@ make_layers(const SurfaceNodes<dim> &nodes,
     return travel[a] < travel[b];
   });
 
-  std::vector<Layer> layers;
+  std::vector<Row> layers;
   for (auto begin = order.begin(); begin != order.end();)
     {
       const double first = travel[*begin];
@@ -128,11 +128,11 @@ shortest_line(const SurfaceNodes<dim> &nodes)
 template <int dim>
 bool
 is_row(const SurfaceNodes<dim> &nodes,
-       const Layer &layer,
+       const Row &layer,
        const DivisionParameters::Release release)
 {
   bool divided = false, held = true, has_corners = false;
-  for (const unsigned int p : layer.nodes)
+  for (const unsigned int p : layer.pairs)
     {
       divided     = divided || nodes.pairs[p].is_divided;
       held        = held && nodes.pairs[p].supported.all();
@@ -159,8 +159,7 @@ make_rows(const SurfaceNodes<dim> &nodes,
   for (const auto &layer : layers)
     if (is_row(nodes, layer, division.release))
       {
-        rows.push_back(
-          {layer.nodes, layer.front, layer.positions, layer.depth});
+        rows.push_back(layer);
         rows.back().pairs.insert(
           rows.back().pairs.end(), ahead.begin(), ahead.end());
         ahead.clear();
@@ -168,7 +167,7 @@ make_rows(const SurfaceNodes<dim> &nodes,
     else
       {
         auto &with = rows.empty() ? ahead : rows.back().pairs;
-        with.insert(with.end(), layer.nodes.begin(), layer.nodes.end());
+        with.insert(with.end(), layer.pairs.begin(), layer.pairs.end());
       }
   return rows;
 }

@@ -27,8 +27,7 @@ Seam<dim>::choose_dependent_sides()
   std::set<types::global_dof_index> taken;
   for (const auto &pair : node_pairs)
     {
-      const bool constrained =
-        pair.is_double() && !pair.supported.all() && !pair.is_hanging;
+      const bool constrained = pair.is_double() && !pair.supported.all();
       if (!constrained)
         dependent_sides.push_back(Dependent::none);
       else if (taken.insert(pair.plus[0]).second)

@@ -1,6 +1,6 @@
 #include <deal.II/base/utilities.h>
 
-#include <setsudan/body/support_parameters.h>
+#include <setsudan/body/groups_of_word.h>
 #include <setsudan/cut/expression.h>
 #include <setsudan/cut/surface_grammar.h>
 #include <setsudan/parameters/lists.h>

@@ -1,5 +1,5 @@
 #include <setsudan/body/face_index.h>
-#include <setsudan/body/support_parameters.h>
+#include <setsudan/body/groups_of_word.h>
 #include <setsudan/elasticity/loads.h>
 #include <setsudan/parameters/lists.h>
 
@@ -90,11 +90,11 @@ template <int dim>
 std::vector<CellFace>
 faces_of_word(const Parameters &parameters,
               const Body<dim> &body,
+              const FaceIndex<dim> &index,
               const std::string &name,
               const std::string &word)
 {
   std::vector<CellFace> faces;
-  const FaceIndex<dim> index(body.mesh);
   for (const Group *group :
        groups_of_word(parameters, "Load", name, body, word))
     for (const auto &entity : group->entities)
@@ -124,14 +124,22 @@ LoadParameters<dim>::LoadParameters(const Parameters &parameters,
   const std::string components = std::to_string(dim) + " components";
   if (!parameters.text("Load", "Body force").empty())
     body_force = to_tensor<dim>(parameters.numbers("Load", "Body force", dim));
-  for (const auto &[word, values] :
-       read_items(parameters, "Pressures", 1, "'group : pressure'"))
-    for (const auto &face : faces_of_word(parameters, body, "Pressures", word))
-      surface_loads[face].pressure += values[0];
-  for (const auto &[word, values] :
-       read_items(parameters, "Tractions", dim, "'group : " + components + "'"))
-    for (const auto &face : faces_of_word(parameters, body, "Tractions", word))
-      surface_loads[face].traction += to_tensor<dim>(values);
+  const auto pressures =
+    read_items(parameters, "Pressures", 1, "'group : pressure'");
+  const auto tractions =
+    read_items(parameters, "Tractions", dim, "'group : " + components + "'");
+  if (!pressures.empty() || !tractions.empty())
+    {
+      const FaceIndex<dim> index(body.mesh);
+      for (const auto &[word, values] : pressures)
+        for (const auto &face :
+             faces_of_word(parameters, body, index, "Pressures", word))
+          surface_loads[face].pressure += values[0];
+      for (const auto &[word, values] : tractions)
+        for (const auto &face :
+             faces_of_word(parameters, body, index, "Tractions", word))
+          surface_loads[face].traction += to_tensor<dim>(values);
+    }
   for (const auto &[node, values] : read_items(
          parameters, "Nodal forces", dim, "'node number : " + components + "'"))
     {

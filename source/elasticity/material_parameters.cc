@@ -1,6 +1,6 @@
 #include <deal.II/base/utilities.h>
 
-#include <setsudan/body/support_parameters.h>
+#include <setsudan/body/groups_of_word.h>
 #include <setsudan/elasticity/material_parameters.h>
 #include <setsudan/parameters/lists.h>
 
@@ -150,7 +150,10 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
   parameters.require(linear_range > 0, "Material", "Linear range", positive);
 
   std::map<std::array<double, 3>, unsigned int> numbers;
-  for (unsigned int element = 0; element < body.mesh.cells.size(); ++element)
+  // One of them, where all three are the same everywhere.
+  const std::size_t n_values =
+    std::max({moduli.size(), ratios.size(), limits.size()});
+  for (unsigned int element = 0; element < n_values; ++element)
     {
       const std::array<double, 3> values{{value_of(moduli, element),
                                           value_of(ratios, element),

@@ -15,8 +15,8 @@ using namespace dealii;
 
 namespace
 {
-/** A node by its number in the uncut body, or the largest number there is for
- * one that refinement has made, by its name and by its side: "0", or a sign
+/** A node by its number in the uncut body, or for one that refinement has made
+ * by the largest number there is and its name; and by its side: "0", or a sign
  * for each cut. */
 using NodeKey = std::tuple<unsigned int, PointName, std::string>;
 
@@ -106,12 +106,15 @@ collect_own_records(const Body<dim> &body,
             record.max_shear  = maximum_shear(record.stress_sum);
             record.n_elements = 1;
             const auto sign   = signs.find(nodes[node][0]);
-            const auto of_body = node_at(points[node]);
-            records[{of_body ? body.node_numbers[element][*of_body]
-                             : numbers::invalid_unsigned_int,
-                     name_of_point(body.mesh, element, points[node]),
-                     sign == signs.end() ? "0" : sign->second}]
-              .add(record);
+            NodeKey key{numbers::invalid_unsigned_int,
+                        {},
+                        sign == signs.end() ? "0" : sign->second};
+            if (const auto of_body = node_at(points[node]))
+              std::get<0>(key) = body.node_numbers[element][*of_body];
+            else
+              std::get<1>(key) =
+                name_of_point(body.mesh, element, points[node]);
+            records[key].add(record);
           }
       }
   return records;

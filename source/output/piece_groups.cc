@@ -91,33 +91,6 @@ pick_entities(const PieceMesh<dim> &piece,
 
 
 
-/** The faces of a piece that are inside of the uncut body and on the surface
- * of the piece. */
-template <int dim>
-std::vector<std::vector<unsigned int>>
-faces_of_cuts(const PieceMesh<dim> &piece,
-              const CoarseMesh<dim> &mesh,
-              const Body<dim> &body)
-{
-  const auto before = collect_neighbors(body.mesh);
-  const auto after  = collect_neighbors(mesh);
-  const auto local  = entities_of_cell<dim>(dim - 1);
-  std::vector<std::vector<unsigned int>> faces;
-  for (unsigned int e = 0; e < piece.elements.size(); ++e)
-    for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
-      {
-        const unsigned int element = piece.elements_in_body[e];
-        if (before[element][f] == after[element][f])
-          continue;
-        faces.emplace_back();
-        for (const unsigned int node : local[f])
-          faces.back().push_back(piece.elements[e][node]);
-      }
-  return faces;
-}
-
-
-
 template <int dim>
 PieceGroup
 restrict_group(const Group &group,
@@ -127,10 +100,10 @@ restrict_group(const Group &group,
   PieceGroup part{group.name, group.number, group.dimension, {}};
   if (group.dimension == dim)
     {
-      const std::set<unsigned int> cells(group.cells.begin(),
-                                         group.cells.end());
       for (unsigned int e = 0; e < piece.elements.size(); ++e)
-        if (cells.count(piece.elements_in_body[e]) > 0)
+        if (std::binary_search(group.cells.begin(),
+                               group.cells.end(),
+                               piece.elements_in_body[e]))
           part.entities.emplace_back(piece.elements[e].begin(),
                                      piece.elements[e].end());
       return part;
@@ -146,16 +119,31 @@ restrict_group(const Group &group,
 
 
 template <int dim>
+std::set<CellFace>
+find_opened_faces(const CoarseMesh<dim> &mesh, const Body<dim> &body)
+{
+  const auto before = collect_neighbors(body.mesh);
+  const auto after  = collect_neighbors(mesh);
+  std::set<CellFace> opened;
+  for (unsigned int cell = 0; cell < before.size(); ++cell)
+    for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
+      if (before[cell][f] != after[cell][f])
+        opened.insert({cell, f});
+  return opened;
+}
+
+
+
+template <int dim>
 std::vector<PieceGroup>
 collect_piece_groups(const PieceMesh<dim> &piece,
-                     const CoarseMesh<dim> &mesh,
+                     const std::set<CellFace> &opened,
                      const Body<dim> &body)
 {
   std::vector<PieceGroup> groups;
   for (const auto &group : body.groups)
     groups.push_back(restrict_group(group, piece, body));
 
-  const auto opened = faces_of_cuts(piece, mesh, body);
   auto cut = std::find_if(groups.begin(), groups.end(), [](const auto &group) {
     return group.name == "cut" && group.dimension == dim - 1;
   });
@@ -168,7 +156,15 @@ collect_piece_groups(const PieceMesh<dim> &piece,
       groups.push_back({"cut", number, dim - 1, {}});
       cut = groups.end() - 1;
     }
-  cut->entities.insert(cut->entities.end(), opened.begin(), opened.end());
+  const auto faces = entities_of_cell<dim>(dim - 1);
+  for (unsigned int e = 0; e < piece.elements.size(); ++e)
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      if (opened.count({piece.elements_in_body[e], f}) > 0)
+        {
+          auto &face = cut->entities.emplace_back();
+          for (const unsigned int node : faces[f])
+            face.push_back(piece.elements[e][node]);
+        }
 
   groups.erase(std::remove_if(groups.begin(),
                               groups.end(),
@@ -183,10 +179,14 @@ collect_piece_groups(const PieceMesh<dim> &piece,
 
 template std::vector<PieceGroup>
 collect_piece_groups(const PieceMesh<2> &,
-                     const CoarseMesh<2> &,
+                     const std::set<CellFace> &,
                      const Body<2> &);
+template std::set<CellFace>
+find_opened_faces(const CoarseMesh<2> &, const Body<2> &);
 template std::vector<PieceGroup>
 collect_piece_groups(const PieceMesh<3> &,
-                     const CoarseMesh<3> &,
+                     const std::set<CellFace> &,
                      const Body<3> &);
+template std::set<CellFace>
+find_opened_faces(const CoarseMesh<3> &, const Body<3> &);
 } // namespace Setsudan

@@ -65,6 +65,7 @@ make_piece_meshes(const CoarseMesh<dim> &mesh,
       for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
         numbers[pieces[element]][name_of_node(mesh, body, element, node)];
     }
+  const auto opened = find_opened_faces(mesh, body);
   for (unsigned int p = 0; p < meshes.size(); ++p)
     {
       unsigned int next = 0;
@@ -84,7 +85,7 @@ make_piece_meshes(const CoarseMesh<dim> &mesh,
               meshes[p].nodes[nodes[node]] = mesh.node_position(element, node);
             }
         }
-      meshes[p].groups = collect_piece_groups(meshes[p], mesh, body);
+      meshes[p].groups = collect_piece_groups(meshes[p], opened, body);
     }
   return meshes;
 }

@@ -92,8 +92,7 @@ describe_loose_pieces(const Scene<dim> &scene,
                       const CutBody<dim> &body,
                       const std::vector<LoosePiece> &known)
 {
-  const bool drops =
-    scene.supports.loose_pieces == SupportParameters<dim>::LoosePieces::drop;
+  const bool drops = scene.supports.drop_loose_pieces();
   std::map<std::size_t, std::string> pieces_by_hold;
   for (const auto &loose : body.loose_pieces)
     if (std::none_of(known.begin(), known.end(), [&](const LoosePiece &other) {

@@ -39,19 +39,9 @@ CutBody<dim>::rebuild()
                                               scene.loads,
                                               scene.material,
                                               communicator);
-  if (drops())
+  if (scene.supports.drop_loose_pieces())
     for (const auto &loose : loose_pieces)
       remove_loads_from_piece(labels.piece, loose, *model);
-}
-
-
-
-template <int dim>
-bool
-CutBody<dim>::drops() const
-{
-  return scene.supports.loose_pieces ==
-         SupportParameters<dim>::LoosePieces::drop;
 }
 
 
@@ -79,7 +69,8 @@ CutBody<dim>::approach(const Cut<dim> &cut)
       const auto is_loose = [&](const CutFace<dim> &face) {
         return labels.piece[face.minus.first] == loose.piece;
       };
-      if (!drops() && std::any_of(surface.begin(), surface.end(), is_loose))
+      if (!scene.supports.drop_loose_pieces() &&
+          std::any_of(surface.begin(), surface.end(), is_loose))
         throw std::runtime_error(
           "The next cut goes through piece " + std::to_string(loose.piece) +
           ", which has no support to press it against. Hold it in subsection "
@@ -123,7 +114,7 @@ CutBody<dim>::divide()
   labels.piece = find_pieces(mesh, labels.piece);
   loose_pieces = find_loose_pieces(mesh, labels.piece, scene.supports);
   for (const auto &loose : loose_pieces)
-    if (drops())
+    if (scene.supports.drop_loose_pieces())
       remove_loads_from_piece(labels.piece, loose, *model);
     else
       check_loads_on_loose_piece(*model, labels.piece, loose);
@@ -172,7 +163,7 @@ CutBody<dim>::constraints() const
     constraints.merge(
       *part, AffineConstraints<double>::no_conflicts_allowed, true);
   for (const auto &loose : loose_pieces)
-    if (drops())
+    if (scene.supports.drop_loose_pieces())
       constrain_dropped_piece(discretization, labels.piece, loose, constraints);
     else
       constrain_loose_piece(

@@ -51,9 +51,12 @@ public:
   std::optional<dealii::Point<dim>>
   find_contradiction() const;
 
-  const typename SupportParameters<dim>::LoosePieces loose_pieces;
+  /** Whether pieces that no support holds are left out, and not held. */
+  bool
+  drop_loose_pieces() const;
 
 private:
+  const typename SupportParameters<dim>::LoosePieces loose_pieces;
   const std::vector<Support<dim>> supports;
   const Body<dim> &body;
 };

@@ -7,25 +7,25 @@
 
 namespace Setsudan
 {
-/** Nodes of a cut that the blade reaches together. */
-struct Layer
+/** Nodes of the cut that are split together. */
+struct Row
 {
-  /** Indices of node pairs. */
-  std::vector<unsigned int> nodes;
-  /** The same along the edge; the first stands at the end again in a front
-   * that is closed. */
+  /** All of them, as indices into the list of node pairs. */
+  std::vector<unsigned int> pairs;
+  /** Those the blade rests on: the first layer, along the edge. In a front
+   * that is closed the first node stands at the end again. */
   std::vector<unsigned int> front;
-  /** Positions of the front's nodes along the edge, ascending. */
+  /** Where the edge positions of the front's nodes are, ascending. */
   std::vector<double> positions;
-  /** How far the blade has travelled from its entry. */
+  /** How far the front lies behind the entry, along the blade's direction. */
   double depth;
 };
 
-/** Set the fronts of all layers and their positions along the edge (see
- * make_rows()). */
+/** Set the fronts of rows, which hold all of their nodes, and positions along
+ * the edge (see make_rows()). */
 template <int dim>
 void
 order_fronts(const SurfaceNodes<dim> &nodes,
              const BladeEdge<dim> &edge,
-             std::vector<Layer> &layers);
+             std::vector<Row> &rows);
 } // namespace Setsudan

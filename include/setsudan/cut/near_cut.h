@@ -8,8 +8,8 @@ namespace Setsudan
 {
 /**
  * How the body is to be refined: everywhere by `global_levels`, and near its
- * cuts as the scene asks for. Both sides of every cut are refined alike, so
- * that their nodes match when they are separated.
+ * cuts as the scene asks for. All cells that touch a cut are refined alike, so
+ * that the nodes of its two sides match and none of them hangs.
  */
 template <int dim>
 Refinement

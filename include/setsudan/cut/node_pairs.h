@@ -31,8 +31,6 @@ struct NodePair
   bool is_corner;
   /** Whether the cut will divide it, or has. */
   bool is_divided;
-  /** Whether it hangs between other nodes, which then decide on it. */
-  bool is_hanging;
   NodeIndices minus;
   NodeIndices plus;
   /** Components that a support holds, on both sides. */
@@ -60,7 +58,7 @@ struct SurfaceNodes
  *
  * @param split the mesh after the surgery along this surface, whether it has
  * been made or not.
- * @pre the two sides of the surface are refined alike.
+ * @pre no node of the surface hangs (see refine_near_cuts()).
  */
 template <int dim>
 SurfaceNodes<dim>

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <setsudan/cut/blade_edge.h>
-#include <setsudan/cut/node_pairs.h>
+#include <setsudan/cut/fronts.h>
 
 #include <vector>
 
@@ -31,20 +30,6 @@ struct DivisionParameters
   declare(dealii::ParameterHandler &handler);
 
   explicit DivisionParameters(const Parameters &parameters);
-};
-
-/** Nodes of the cut that are split together. */
-struct Row
-{
-  /** All of them, as indices into the list of node pairs. */
-  std::vector<unsigned int> pairs;
-  /** Those the blade rests on: the first layer, along the edge. In a front
-   * that is closed the first node stands at the end again. */
-  std::vector<unsigned int> front;
-  /** Where the edge positions of the front's nodes are, ascending. */
-  std::vector<double> positions;
-  /** How far the front lies behind the entry, along the blade's direction. */
-  double depth;
 };
 
 /**

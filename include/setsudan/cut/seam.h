@@ -55,7 +55,7 @@ public:
   /**
    * Add the homogeneous part of what the seam demands. Unknowns that are
    * constrained already are left alone: a support wins over a tie and over an
-   * opening, and hanging nodes follow those between which they hang.
+   * opening, and so does a piece that is left out.
    */
   void
   add_constraints(dealii::AffineConstraints<double> &constraints) const;

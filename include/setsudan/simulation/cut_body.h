@@ -86,9 +86,6 @@ private:
   Seam<dim>
   make_seam(const BegunCut &begun, const CoarseMesh<dim> &split) const;
 
-  bool
-  drops() const;
-
   const Scene<dim> &scene;
   const Refinement refinement;
   std::vector<BegunCut> begun_cuts;
