@@ -1,9 +1,12 @@
 #include <setsudan/solver/direct_solver.h>
 
-#include <Amesos.h>
+#include <Amesos_Klu.h>
+#include <Amesos_Mumps.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_FEVector.h>
 #include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
 
 namespace Setsudan
 {
@@ -11,6 +14,12 @@ namespace
 {
 // Below this number of unknowns KLU's whole solve is a few milliseconds.
 constexpr unsigned int small_size = 1500;
+
+// MUMPS's errors for a workspace that is too small (INFOG(1); users' guide).
+constexpr int integers_too_small = -8;
+constexpr int reals_too_small    = -9;
+// More than this beyond MUMPS's estimate would hide another error.
+constexpr int most_spare_percent = 2000;
 
 void
 check(const int error, const std::string &what)
@@ -25,8 +34,10 @@ check(const int error, const std::string &what)
 } // namespace
 
 
-DirectSolver::DirectSolver(const dealii::types::global_dof_index n_unknowns)
+DirectSolver::DirectSolver(const dealii::types::global_dof_index n_unknowns,
+                           const int spare_percent)
   : small(n_unknowns <= small_size)
+  , spare_percent(spare_percent)
 {
 }
 
@@ -46,13 +57,39 @@ DirectSolver::initialize(const LA::SparseMatrix &matrix,
   problem.SetRHS(nullptr);
   problem.SetOperator(
     const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-  amesos.reset(Amesos().Create(small ? "Amesos_Klu" : "Amesos_Mumps", problem));
+  if (small)
+    {
+      amesos = std::make_unique<Amesos_Klu>(problem);
+      check(amesos->SymbolicFactorization(), "symbolic factorization");
+      check(amesos->NumericFactorization(), "numeric factorization");
+      return;
+    }
+  for (int percent = spare_percent; !factorize_with_mumps(percent);)
+    percent = 2 * std::max(percent, 50);
+}
+
+
+
+bool
+DirectSolver::factorize_with_mumps(const int percent)
+{
+  auto mumps = std::make_unique<Amesos_Mumps>(problem);
   Teuchos::ParameterList parameters;
   parameters.set("MatrixProperty", "SPD");
-  parameters.set("PrintTiming", false);
-  check(amesos->SetParameters(parameters), "set-up");
-  check(amesos->SymbolicFactorization(), "symbolic factorization");
-  check(amesos->NumericFactorization(), "numeric factorization");
+  check(mumps->SetParameters(parameters), "set-up");
+  mumps->SetICNTL(14, percent);
+  check(mumps->SymbolicFactorization(), "symbolic factorization");
+  const int error = mumps->NumericFactorization();
+  // The host alone knows, for all processes.
+  int status = mumps->GetINFOG()[0];
+  problem.GetOperator()->Comm().Broadcast(&status, 1, 0);
+  const bool too_small =
+    status == integers_too_small || status == reals_too_small;
+  if (too_small && percent < most_spare_percent)
+    return false;
+  check(error, "numeric factorization");
+  amesos = std::move(mumps);
+  return true;
 }
 
 

@@ -1,7 +1,7 @@
 // The direct solvers, for small and for larger bodies, and the iterative one
 // give the same displacement.
 
-#include <setsudan/solver/linear_solver.h>
+#include <setsudan/solver/direct_solver.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -95,6 +95,29 @@ test_many_loads(const std::string &n_elements, const std::string &method)
 }
 
 
+/** A factorization that is given too little room is repeated with more. */
+void
+test_small_workspace()
+{
+  SolvedModel<3> solved({"Body/Elements=8, 4, 4",
+                         "Support/Fixed faces=left",
+                         "Load/Body force=0, 0, -1",
+                         "Solver/Method=direct"});
+  auto &model = solved.model;
+  LA::SparseMatrix matrix;
+  assemble_stiffness(
+    model.discretization, model.stiffness, model.supports, matrix);
+  DirectSolver scarce(model.discretization.dof_handler.n_dofs(), -90);
+  scarce.initialize(matrix, {});
+  LA::Vector x = model.discretization.zero_vector();
+  scarce.solve(x, condense(model.supports, model.loads));
+  x -= solved.displacement;
+  const double error = x.linfty_norm() / solved.displacement.linfty_norm();
+  if (is_first_process())
+    check_below("too little workspace at first", error, 1e-10);
+}
+
+
 int
 main(int argc, char **argv)
 {
@@ -106,5 +129,6 @@ main(int argc, char **argv)
     test_many_loads("3, 2, 2", "direct");
     test_many_loads("8, 4, 4", "direct");
     test_many_loads("8, 4, 4", "iterative");
+    test_small_workspace();
   });
 }

@@ -7,6 +7,7 @@
 #include <memory>
 
 class Amesos_BaseSolver;
+class Amesos_Mumps;
 
 namespace Setsudan
 {
@@ -18,7 +19,14 @@ namespace Setsudan
 class DirectSolver : public LinearSolver
 {
 public:
-  explicit DirectSolver(const dealii::types::global_dof_index n_unknowns);
+  /**
+   * @param spare_percent workspace that MUMPS gets beyond its estimate. Over
+   *   several processes its need depends on which of them is ready first, and
+   *   the estimate may fall short; then the factorization is repeated with
+   *   more.
+   */
+  explicit DirectSolver(const dealii::types::global_dof_index n_unknowns,
+                        const int spare_percent = 50);
 
   ~DirectSolver() override;
 
@@ -36,7 +44,14 @@ public:
   is_iterative() const override;
 
 private:
+  /** Factorize by MUMPS.
+   *
+   * @return whether the workspace sufficed. */
+  bool
+  factorize_with_mumps(const int percent);
+
   const bool small;
+  const int spare_percent;
   Epetra_LinearProblem problem;
   std::unique_ptr<Amesos_BaseSolver> amesos;
 };
