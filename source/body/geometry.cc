@@ -119,6 +119,17 @@ normal_of_face(const ElementNodes<dim> &nodes,
 
 
 template <int dim>
+double
+area_element_of_face(const ElementNodes<dim> &nodes,
+                     const unsigned int face,
+                     const Point<dim> &unit_point)
+{
+  return scaled_normal(jacobian_of_element(nodes, unit_point), face).norm();
+}
+
+
+
+template <int dim>
 Tensor<1, dim>
 area_vector_of_face(const ElementNodes<dim> &nodes, const unsigned int face)
 {
@@ -193,8 +204,16 @@ template Tensor<1, 2>
 normal_of_face(const ElementNodes<2> &, const unsigned int, const Point<2> &);
 template Tensor<1, 3>
 normal_of_face(const ElementNodes<3> &, const unsigned int, const Point<3> &);
+template double
+area_element_of_face(const ElementNodes<2> &,
+                     const unsigned int,
+                     const Point<2> &);
 template Tensor<1, 2>
 area_vector_of_face(const ElementNodes<2> &, const unsigned int);
+template double
+area_element_of_face(const ElementNodes<3> &,
+                     const unsigned int,
+                     const Point<3> &);
 template Tensor<1, 3>
 area_vector_of_face(const ElementNodes<3> &, const unsigned int);
 template double

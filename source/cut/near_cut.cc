@@ -2,9 +2,7 @@
 #include <deal.II/distributed/tria.h>
 
 #include <setsudan/body/geometry.h>
-#include <setsudan/body/region.h>
 #include <setsudan/cut/near_cut.h>
-#include <setsudan/cut/neighborhood.h>
 
 #include <algorithm>
 #include <set>
@@ -15,109 +13,84 @@ using namespace dealii;
 
 namespace
 {
-/** Refines a mesh of the uncut body, and keeps the record. */
 template <int dim>
-class Refiner
+std::set<CellFace>
+faces_of_cuts(const CutParameters<dim> &cut)
 {
-public:
-  using Cell = typename Triangulation<dim>::active_cell_iterator;
+  std::set<CellFace> faces;
+  for (const auto &c : cut.cuts)
+    for (const auto &face : c.surface.faces)
+      faces.insert({face.minus, face.plus});
+  return faces;
+}
 
-  Refiner(const Body<dim> &body,
-          const CutParameters<dim> &cut,
-          const unsigned int global_levels,
-          const MPI_Comm communicator)
-    : body(body)
-    , communicator(communicator)
-    , triangulation(communicator)
-    , faces(faces_of_cuts(cut))
-    , cut_region(region_of_faces(body, faces))
-    , neighborhood(body, faces, cut.near_cut_width)
-    , has_width(cut.near_cut_width > 0)
-  {
-    create_triangulation(body.mesh, triangulation);
-    triangulation.refine_global(global_levels);
-  }
 
-  void
-  refine_once(const int level)
-  {
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->level() == level && is_near(cell))
-        cell->set_refine_flag();
-    triangulation.execute_coarsening_and_refinement();
-  }
 
-  /** The cells that are refined below the first levels. */
-  std::vector<CellPath>
-  record(const unsigned int global_levels) const
-  {
-    std::set<CellPath> own;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          CellPath path = path_of_cell<dim>(cell);
-          for (int level = cell->level(); level > int(global_levels); --level)
-            {
-              path.path >>= dim;
-              own.insert(path);
-            }
-        }
-    std::set<CellPath> all;
-    for (const auto &part : Utilities::MPI::all_gather(
-           communicator, std::vector<CellPath>(own.begin(), own.end())))
-      all.insert(part.begin(), part.end());
-    return {all.begin(), all.end()};
-  }
-
-private:
-  static std::set<CellFace>
-  faces_of_cuts(const CutParameters<dim> &cut)
-  {
-    std::set<CellFace> faces;
-    for (const auto &c : cut.cuts)
-      for (const auto &face : c.surface.faces)
-        faces.insert({face.minus, face.plus});
-    return faces;
-  }
-
-  static Region<dim>
-  region_of_faces(const Body<dim> &body, const std::set<CellFace> &faces)
-  {
-    Group group{"", 0, dim - 1, {}, {}};
-    for (const auto &face : faces)
-      group.entities.push_back(body.mesh.face_key(face));
-    return Region<dim>(body, {&group});
-  }
-
-  bool
-  is_near(const Cell &cell) const
-  {
-    // Also a cell that touches the cut in a line or a vertex only: so all cells
-    // at a cut have the same level, and none of its nodes hangs.
-    const CellPath path = path_of_cell<dim>(cell);
-    const auto nodes    = body.mesh.node_positions(path.element);
-    for (const unsigned int v : cell->vertex_indices())
-      {
-        const auto point =
-          point_in_element<dim>(path, GeometryInfo<dim>::unit_cell_vertex(v));
-        if (cut_region.contains(body, path.element, point) ||
-            (has_width &&
-             neighborhood.contains(point_of_element(nodes, point))))
-          return true;
-      }
-    return false;
-  }
-
-  const Body<dim> &body;
-  const MPI_Comm communicator;
-  parallel::distributed::Triangulation<dim> triangulation;
-  const std::set<CellFace> faces;
-  /** The faces with their lines and vertices. */
-  const Region<dim> cut_region;
-  const Neighborhood<dim> neighborhood;
-  const bool has_width;
-};
+template <int dim>
+Region<dim>
+region_of_faces(const Body<dim> &body, const std::set<CellFace> &faces)
+{
+  Group group{"", 0, dim - 1, {}, {}};
+  for (const auto &face : faces)
+    group.entities.push_back(body.mesh.face_key(face));
+  return Region<dim>(body, {&group});
+}
 } // namespace
+
+
+template <int dim>
+NearCut<dim>::NearCut(const Body<dim> &body,
+                      const CutParameters<dim> &cut,
+                      const double width)
+  : body(body)
+  , on_cut(region_of_faces(body, faces_of_cuts(cut)))
+  , width(width)
+  , neighborhood(body, faces_of_cuts(cut), width)
+{
+}
+
+
+
+template <int dim>
+bool
+NearCut<dim>::any_vertex(
+  const Cell &cell,
+  const std::function<bool(const CellPath &, const Point<dim> &)> &has) const
+{
+  const CellPath path = path_of_cell<dim>(cell);
+  for (const unsigned int v : cell->vertex_indices())
+    if (has(
+          path,
+          point_in_element<dim>(path, GeometryInfo<dim>::unit_cell_vertex(v))))
+      return true;
+  return false;
+}
+
+
+
+template <int dim>
+bool
+NearCut<dim>::touches(const Cell &cell) const
+{
+  return any_vertex(cell, [&](const CellPath &path, const Point<dim> &point) {
+    return on_cut.contains(body, path.element, point);
+  });
+}
+
+
+
+template <int dim>
+bool
+NearCut<dim>::is_near(const Cell &cell) const
+{
+  return touches(cell) ||
+         (width > 0 &&
+          any_vertex(cell, [&](const CellPath &path, const Point<dim> &point) {
+            return neighborhood.contains(
+              point_of_element(body.mesh.node_positions(path.element), point));
+          }));
+}
+
 
 
 template <int dim>
@@ -127,18 +100,84 @@ refine_near_cuts(const Body<dim> &body,
                  const unsigned int global_levels,
                  const MPI_Comm communicator)
 {
-  Refinement refinement{global_levels, {}};
   if (cut.near_cut_levels == 0 || cut.cuts.empty())
-    return refinement;
-  Refiner<dim> refiner(body, cut, global_levels, communicator);
-  for (unsigned int level = 0; level < cut.near_cut_levels; ++level)
-    refiner.refine_once(global_levels + level);
-  refinement.refined = refiner.record(global_levels);
-  return refinement;
+    return {global_levels, {}};
+  const NearCut<dim> near_cut(body, cut, cut.near_cut_width);
+  parallel::distributed::Triangulation<dim> triangulation(communicator);
+  create_triangulation(body.mesh, triangulation);
+  triangulation.refine_global(global_levels);
+  for (unsigned int l = 0; l < cut.near_cut_levels; ++l)
+    {
+      const int level = global_levels + l;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->level() == level &&
+            near_cut.is_near(cell))
+          cell->set_refine_flag();
+      triangulation.execute_coarsening_and_refinement();
+    }
+  return record_refinement(triangulation, global_levels);
 }
 
 
 
+namespace
+{
+/** Refine the cells that touch a cut until they are of one level. */
+template <int dim>
+void
+level_at_cuts(const NearCut<dim> &near_cut,
+              parallel::distributed::Triangulation<dim> &triangulation)
+{
+  const MPI_Comm communicator = triangulation.get_communicator();
+  for (bool changed = true; changed;)
+    {
+      int highest = 0;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && near_cut.touches(cell))
+          highest = std::max(highest, cell->level());
+      highest = Utilities::MPI::max(highest, communicator);
+      changed = false;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->level() < highest &&
+            near_cut.touches(cell))
+          {
+            cell->set_refine_flag();
+            changed = true;
+          }
+      changed = Utilities::MPI::logical_or(changed, communicator);
+      if (changed)
+        triangulation.execute_coarsening_and_refinement();
+    }
+}
+} // namespace
+
+
+template <int dim>
+Refinement
+refine_further(const Body<dim> &body,
+               const CutParameters<dim> &cut,
+               const Refinement &refinement,
+               const std::vector<CellPath> &marked,
+               const MPI_Comm communicator)
+{
+  const NearCut<dim> near_cut(body, cut, 0);
+  parallel::distributed::Triangulation<dim> triangulation(communicator);
+  create_triangulation(body.mesh, triangulation);
+  refine<dim>(triangulation, refinement);
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && std::binary_search(marked.begin(),
+                                                       marked.end(),
+                                                       path_of_cell<dim>(cell)))
+      cell->set_refine_flag();
+  triangulation.execute_coarsening_and_refinement();
+  level_at_cuts(near_cut, triangulation);
+  return record_refinement(triangulation, refinement.global_levels);
+}
+
+
+
+template class NearCut<2>;
+template class NearCut<3>;
 template Refinement
 refine_near_cuts(const Body<2> &,
                  const CutParameters<2> &,
@@ -149,4 +188,16 @@ refine_near_cuts(const Body<3> &,
                  const CutParameters<3> &,
                  const unsigned int,
                  const MPI_Comm);
+template Refinement
+refine_further(const Body<2> &,
+               const CutParameters<2> &,
+               const Refinement &,
+               const std::vector<CellPath> &,
+               const MPI_Comm);
+template Refinement
+refine_further(const Body<3> &,
+               const CutParameters<3> &,
+               const Refinement &,
+               const std::vector<CellPath> &,
+               const MPI_Comm);
 } // namespace Setsudan

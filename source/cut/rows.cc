@@ -22,6 +22,13 @@ DivisionParameters::declare(ParameterHandler &handler)
                     "corner nodes with the mid-side nodes behind it.");
   Setsudan::declare(handler,
                     "Division",
+                    "Split rows",
+                    "opened",
+                    Patterns::Selection("opened|free"),
+                    "opened: the blade keeps the two sides of split rows its "
+                    "thickness apart; free: nothing does, as in a crack.");
+  Setsudan::declare(handler,
+                    "Division",
                     "Row tolerance",
                     "0.01",
                     Patterns::Double(),
@@ -50,6 +57,7 @@ DivisionParameters::DivisionParameters(const Parameters &parameters)
   : release(parameters.text("Division", "Release") == "node row"
               ? Release::node_row
               : Release::element_row)
+  , opens(parameters.text("Division", "Split rows") == "opened")
   , row_tolerance(parameters.number("Division", "Row tolerance"))
   , load_control(parameters.text("Division", "Load control") == "constant"
                    ? LoadControl::constant

@@ -1,84 +1,16 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/cut/yield_criterion.h>
-#include <setsudan/elasticity/strain_recovery.h>
+#include <setsudan/elasticity/material.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 
 namespace Setsudan
 {
 using namespace dealii;
-
-void
-YieldParameters::declare(ParameterHandler &handler)
-{
-  Setsudan::declare(handler,
-                    "Yield",
-                    "Criterion",
-                    "maximum shear",
-                    Patterns::Selection("maximum shear"),
-                    "The stress that must exceed the required one: the maximum "
-                    "shear (Tresca), the largest over the elements that meet "
-                    "at the front's nodes. It grows as elements shrink, "
-                    "because the stress under a blade is singular.");
-  Setsudan::declare(handler,
-                    "Yield",
-                    "Check",
-                    "every row",
-                    Patterns::Selection("once|every row"),
-                    "once: the first row's yield opens the cut, which then "
-                    "runs through (as in the paper); every row: each row must "
-                    "yield.");
-}
-
-
-
-YieldParameters::YieldParameters(const Parameters &parameters)
-  : check(parameters.text("Yield", "Check") == "once" ? Check::once
-                                                      : Check::every_row)
-{
-}
-
-
-
-template <int dim>
-FrontStresses
-front_stresses(const ElasticModel<dim> &model,
-               const Seam<dim> &seam,
-               const Row &row,
-               const LA::Vector &displacement)
-{
-  std::set<types::global_dof_index> front;
-  for (const unsigned int pair : row.front)
-    front.insert({seam.pairs()[pair].minus[0], seam.pairs()[pair].plus[0]});
-
-  const auto &discretization = model.discretization;
-  StrainRecovery<dim> recovery(discretization, node_points<dim>());
-  FrontStresses stresses;
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        bool evaluated   = false;
-        const auto nodes = discretization.node_indices(cell);
-        for (unsigned int node = 0; node < nodes.size(); ++node)
-          if (front.count(nodes[node][0]) > 0)
-            {
-              if (!evaluated)
-                recovery.reinit(cell, displacement);
-              evaluated = true;
-              const auto &material =
-                model.materials.of_element(discretization.element(cell));
-              stresses.push_back({material.hooke.stress(recovery.strain(node)),
-                                  material.shear_limit});
-            }
-      }
-  return stresses;
-}
-
-
 
 bool
 CuttingStress::yields() const
@@ -88,28 +20,99 @@ CuttingStress::yields() const
 
 
 
+namespace
+{
+double
+traction_measure(const FrontStress &sample)
+{
+  const Tensor<1, 3> traction = sample.stress * sample.normal;
+  const double pull           = traction * sample.normal;
+  const Tensor<1, 3> shear    = traction - pull * sample.normal;
+  return std::hypot(std::max(pull, 0.), shear.norm());
+}
+} // namespace
+
+
+double
+stress_measure(const YieldParameters::Criterion criterion,
+               const FrontStress &sample)
+{
+  using Criterion = YieldParameters::Criterion;
+  switch (criterion)
+    {
+      case Criterion::maximum_shear:
+      case Criterion::mean_shear:
+        return maximum_shear(sample.stress);
+      case Criterion::von_mises:
+        return deviator(sample.stress).norm() / std::sqrt(2.);
+      case Criterion::traction:
+        return traction_measure(sample);
+      case Criterion::energy_release:
+        break;
+    }
+  AssertThrow(false, ExcMessage("This criterion is not one of stress."));
+  return 0;
+}
+
+
+
+namespace
+{
+/** The measures and shear limits that are to be compared with each other: of
+ * the samples, or of the means over zones, which all processes get. */
+std::vector<std::pair<double, double>>
+measures_and_limits(const YieldParameters::Criterion criterion,
+                    const FrontStresses &stresses,
+                    const MPI_Comm communicator)
+{
+  std::vector<std::pair<double, double>> result;
+  if (stresses.n_zones == 0)
+    {
+      for (const auto &sample : stresses.samples)
+        result.emplace_back(stress_measure(criterion, sample),
+                            sample.shear_limit);
+      return result;
+    }
+  const unsigned int n = stresses.n_zones;
+  std::vector<double> sums(3 * n, 0.);
+  for (const auto &sample : stresses.samples)
+    {
+      sums[sample.zone] += sample.weight;
+      sums[n + sample.zone] +=
+        sample.weight * stress_measure(criterion, sample);
+      sums[2 * n + sample.zone] += sample.weight * sample.shear_limit;
+    }
+  Utilities::MPI::sum(sums, communicator, sums);
+  for (unsigned int zone = 0; zone < n; ++zone)
+    result.emplace_back(sums[n + zone] / sums[zone],
+                        sums[2 * n + zone] / sums[zone]);
+  return result;
+}
+} // namespace
+
+
 CuttingStress
-cutting_stress(const FrontStresses &stresses,
+cutting_stress(const YieldParameters::Criterion criterion,
+               const FrontStresses &stresses,
                const double sharpness,
                const MPI_Comm communicator)
 {
-  double largest = 0;
+  const auto measures = measures_and_limits(criterion, stresses, communicator);
+  double largest      = 0;
   CuttingStress decisive;
-  for (const auto &[stress, shear_limit] : stresses)
+  for (const auto &[measure, shear_limit] : measures)
     {
-      const double shear    = maximum_shear(stress);
-      const double required = required_stress(shear_limit, sharpness);
-      const double ratio    = shear / shear_limit;
-      if (ratio > largest || (ratio == largest && shear >= decisive.reached))
+      const double ratio = measure / shear_limit;
+      if (ratio > largest || (ratio == largest && measure >= decisive.reached))
         {
           largest  = ratio;
-          decisive = {shear, required};
+          decisive = {measure, required_stress(shear_limit, sharpness)};
         }
     }
   // Of the processes with the largest ratio: they have the same material, or
   // it does not matter which.
   const double of_all = Utilities::MPI::max(largest, communicator);
-  if (stresses.empty() || largest < of_all)
+  if (measures.empty() || largest < of_all)
     decisive = {0, 0};
   return {Utilities::MPI::max(decisive.reached, communicator),
           Utilities::MPI::max(decisive.required, communicator)};
@@ -125,23 +128,24 @@ required_stress(const double shear_limit, const double sharpness)
 
 
 
-YieldLoad
-find_yield_load(const FrontStresses &base,
-                const FrontStresses &per_load,
-                const double sharpness,
-                const double max_load_factor,
-                const MPI_Comm communicator)
+FrontStresses
+superpose(const FrontStresses &base,
+          const FrontStresses &per_load,
+          const double factor)
 {
-  const auto stress_at = [&](const double factor) {
-    FrontStresses stresses = base;
-    for (unsigned int i = 0; i < stresses.size(); ++i)
-      stresses[i].stress += factor * per_load[i].stress;
-    return cutting_stress(stresses, sharpness, communicator);
-  };
-  // Above 0 where the row yields.
-  const auto excess = [](const CuttingStress &stress) {
-    return stress.reached / stress.required - 1;
-  };
+  AssertDimension(base.samples.size(), per_load.samples.size());
+  FrontStresses stresses = base;
+  for (unsigned int i = 0; i < stresses.samples.size(); ++i)
+    stresses.samples[i].stress += factor * per_load.samples[i].stress;
+  return stresses;
+}
+
+
+
+YieldLoad
+find_yield_load(const std::function<CuttingStress(double)> &stress_at,
+                const double max_load_factor)
+{
   const CuttingStress at_rest = stress_at(0);
   if (at_rest.yields())
     return {0, at_rest, true};
@@ -149,6 +153,10 @@ find_yield_load(const FrontStresses &base,
   if (!at_most.yields())
     return {max_load_factor, at_most, false};
 
+  // Above 0 where the row yields; finite whatever the sizes.
+  const auto excess = [&](const CuttingStress &stress) {
+    return (stress.reached - stress.required) / at_most.reached;
+  };
   boost::uintmax_t max_iterations = 200;
   const auto bracket              = boost::math::tools::toms748_solve(
     [&](const double factor) { return excess(stress_at(factor)); },
@@ -160,17 +168,4 @@ find_yield_load(const FrontStresses &base,
     max_iterations);
   return {bracket.second, stress_at(bracket.second), true};
 }
-
-
-
-template FrontStresses
-front_stresses(const ElasticModel<2> &,
-               const Seam<2> &,
-               const Row &,
-               const LA::Vector &);
-template FrontStresses
-front_stresses(const ElasticModel<3> &,
-               const Seam<3> &,
-               const Row &,
-               const LA::Vector &);
 } // namespace Setsudan

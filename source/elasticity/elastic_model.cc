@@ -68,15 +68,6 @@ ElasticModel<dim>::constrain_supports(const Supports<dim> &supports_of_body)
 
 
 
-template <int dim>
-const Hooke &
-ElasticModel<dim>::hooke(const typename Discretization<dim>::Cell &cell) const
-{
-  return materials.of_element(discretization.element(cell)).hooke;
-}
-
-
-
 template struct ElasticModel<2>;
 template struct ElasticModel<3>;
 } // namespace Setsudan

@@ -17,12 +17,22 @@ template <int dim>
 SymmetricTensor<2, 3>
 Hooke::stress(const SymmetricTensor<2, dim> &strain) const
 {
+  return stress(strain, trace(strain));
+}
+
+
+
+template <int dim>
+SymmetricTensor<2, 3>
+Hooke::stress(const SymmetricTensor<2, dim> &strain,
+              const double dilatation) const
+{
   SymmetricTensor<2, 3> stress;
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int j = i; j < dim; ++j)
       stress[i][j] = 2 * mu * strain[i][j];
   for (unsigned int i = 0; i < 3; ++i)
-    stress[i][i] += lambda * trace(strain);
+    stress[i][i] += lambda * dilatation;
   return stress;
 }
 
@@ -44,4 +54,8 @@ template SymmetricTensor<2, 3>
 Hooke::stress(const SymmetricTensor<2, 2> &) const;
 template SymmetricTensor<2, 3>
 Hooke::stress(const SymmetricTensor<2, 3> &) const;
+template SymmetricTensor<2, 3>
+Hooke::stress(const SymmetricTensor<2, 2> &, const double) const;
+template SymmetricTensor<2, 3>
+Hooke::stress(const SymmetricTensor<2, 3> &, const double) const;
 } // namespace Setsudan

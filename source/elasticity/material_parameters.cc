@@ -40,6 +40,23 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "the body, greater than 0 [force/area].");
   Setsudan::declare(handler,
                     "Material",
+                    "Toughness",
+                    "1.0",
+                    Patterns::Anything(),
+                    "The energy for each new area that a blade of sharpness 0 "
+                    "needs, with the criterion energy release; greater than 0 "
+                    "[force/length].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Formulation",
+                    "auto",
+                    Patterns::Selection("auto|displacement|mixed"),
+                    "displacement: the strain as it is; mixed: the change of "
+                    "volume is linear in each element, so that elements do not "
+                    "lock where Poisson's ratio is near 1/2; auto: mixed for "
+                    "materials whose Poisson's ratio is at least 0.4.");
+  Setsudan::declare(handler,
+                    "Material",
                     "Linear range",
                     "0.5",
                     Patterns::Double(),
@@ -122,6 +139,10 @@ read_values(const Parameters &parameters,
 
 
 
+// From here on the displacement formulation is more than 0.1 % too stiff on
+// coarse meshes (doc/theory.md).
+constexpr double mixed_from_ratio = 0.4;
+
 double
 value_of(const ElementValues &values, const unsigned int element)
 {
@@ -147,20 +168,31 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                 [](const double value) { return value > -1 && value < 0.5; });
   const auto limits =
     read_values(parameters, body, "Shear limit", positive, is_positive);
+  const auto toughnesses =
+    read_values(parameters, body, "Toughness", positive, is_positive);
   parameters.require(linear_range > 0, "Material", "Linear range", positive);
 
-  std::map<std::array<double, 3>, unsigned int> numbers;
-  // One of them, where all three are the same everywhere.
+  const std::string formulation = parameters.text("Material", "Formulation");
+  const auto is_mixed           = [&](const double ratio) {
+    return formulation == "mixed" ||
+           (formulation == "auto" && ratio >= mixed_from_ratio);
+  };
+  std::map<std::array<double, 4>, unsigned int> numbers;
+  // One of them, where all are the same everywhere.
   const std::size_t n_values =
-    std::max({moduli.size(), ratios.size(), limits.size()});
+    std::max({moduli.size(), ratios.size(), limits.size(), toughnesses.size()});
   for (unsigned int element = 0; element < n_values; ++element)
     {
-      const std::array<double, 3> values{{value_of(moduli, element),
+      const std::array<double, 4> values{{value_of(moduli, element),
                                           value_of(ratios, element),
-                                          value_of(limits, element)}};
+                                          value_of(limits, element),
+                                          value_of(toughnesses, element)}};
       const auto inserted = numbers.emplace(values, numbers.size());
       if (inserted.second)
-        materials.push_back({Hooke(values[0], values[1]), values[2]});
+        materials.push_back({Hooke(values[0], values[1]),
+                             values[2],
+                             values[3],
+                             is_mixed(values[1])});
       material_of_element.push_back(inserted.first->second);
     }
   if (materials.size() == 1)
@@ -188,15 +220,53 @@ MaterialParameters<dim>::of_element(const unsigned int element) const
 
 
 template <int dim>
+unsigned int
+MaterialParameters<dim>::n_materials() const
+{
+  return materials.size();
+}
+
+
+
+namespace
+{
+double
+smallest(const std::vector<Material> &materials, double Material::*value)
+{
+  double result = materials.front().*value;
+  for (const auto &material : materials)
+    result = std::min(result, material.*value);
+  return result;
+}
+} // namespace
+
+
+template <int dim>
 double
 MaterialParameters<dim>::smallest_shear_limit() const
 {
-  return std::min_element(materials.begin(),
-                          materials.end(),
-                          [](const Material &a, const Material &b) {
-                            return a.shear_limit < b.shear_limit;
-                          })
-    ->shear_limit;
+  return smallest(materials, &Material::shear_limit);
+}
+
+
+
+template <int dim>
+double
+MaterialParameters<dim>::smallest_toughness() const
+{
+  return smallest(materials, &Material::toughness);
+}
+
+
+
+template <int dim>
+bool
+MaterialParameters<dim>::any_is_mixed() const
+{
+  return std::any_of(
+    materials.begin(), materials.end(), [](const Material &material) {
+      return material.is_mixed;
+    });
 }
 
 

@@ -1,9 +1,11 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
 
 #include <setsudan/elasticity/refinement.h>
 
 #include <algorithm>
+#include <set>
 
 namespace Setsudan
 {
@@ -49,6 +51,40 @@ point_in_element(const CellPath &path, const Point<dim> &unit_point)
 
 
 
+std::vector<CellPath>
+gather_cells(const std::vector<CellPath> &own, const MPI_Comm communicator)
+{
+  std::set<CellPath> all;
+  for (const auto &part : Utilities::MPI::all_gather(communicator, own))
+    all.insert(part.begin(), part.end());
+  return {all.begin(), all.end()};
+}
+
+
+
+template <int dim>
+Refinement
+record_refinement(const Triangulation<dim> &triangulation,
+                  const unsigned int global_levels)
+{
+  std::set<CellPath> own;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        CellPath path = path_of_cell<dim>(cell);
+        for (int level = cell->level(); level > int(global_levels); --level)
+          {
+            path.path >>= dim;
+            own.insert(path);
+          }
+      }
+  return {
+    global_levels,
+    gather_cells({own.begin(), own.end()}, triangulation.get_communicator())};
+}
+
+
+
 template <int dim>
 void
 refine(Triangulation<dim> &triangulation, const Refinement &refinement)
@@ -76,6 +112,24 @@ refine(Triangulation<dim> &triangulation, const Refinement &refinement)
 
 
 
+template <int dim>
+types::global_cell_index
+count_cells(const CoarseMesh<dim> &mesh,
+            const Refinement &refinement,
+            const MPI_Comm communicator)
+{
+  parallel::distributed::Triangulation<dim> triangulation(communicator);
+  create_triangulation(mesh, triangulation);
+  refine<dim>(triangulation, refinement);
+  return triangulation.n_global_active_cells();
+}
+
+
+
+template types::global_cell_index
+count_cells(const CoarseMesh<2> &, const Refinement &, const MPI_Comm);
+template types::global_cell_index
+count_cells(const CoarseMesh<3> &, const Refinement &, const MPI_Comm);
 template CellPath
 path_of_cell<2>(const Triangulation<2>::cell_iterator &);
 template CellPath
@@ -84,6 +138,10 @@ template Point<2>
 point_in_element(const CellPath &, const Point<2> &);
 template Point<3>
 point_in_element(const CellPath &, const Point<3> &);
+template Refinement
+record_refinement(const Triangulation<2> &, const unsigned int);
+template Refinement
+record_refinement(const Triangulation<3> &, const unsigned int);
 template void
 refine(Triangulation<2> &, const Refinement &);
 template void

@@ -18,10 +18,12 @@ ElementStiffness<dim>::ElementStiffness(
   const MaterialParameters<dim> &materials)
   : discretization(discretization)
   , materials(materials)
-  , fe_values(discretization.mapping(),
-              discretization.fe,
-              QGauss<dim>(3),
-              update_gradients | update_JxW_values)
+  , fe_values(
+      discretization.mapping(),
+      discretization.fe,
+      QGauss<dim>(3),
+      update_gradients | update_JxW_values |
+        (materials.any_is_mixed() ? update_quadrature_points : update_default))
   , matrix(discretization.fe.n_dofs_per_cell())
 {
 }
@@ -37,7 +39,7 @@ ElementStiffness<dim>::operator()(const Cell &cell)
   auto shape                  = shape_of(cell);
   if (!is_last(cell, shape, material))
     {
-      integrate(cell, materials.of_element(element).hooke);
+      integrate(cell, materials.of_element(element));
       last_shape    = std::move(shape);
       last_material = material;
     }
@@ -95,32 +97,57 @@ ElementStiffness<dim>::is_last(const Cell &cell,
 
 template <int dim>
 void
-ElementStiffness<dim>::integrate(const Cell &cell, const Hooke &material)
+ElementStiffness<dim>::integrate(const Cell &cell, const Material &material)
 {
   const FEValuesExtractors::Vector displacement(0);
   const unsigned int n = matrix.m();
   std::vector<SymmetricTensor<2, dim>> strain(n);
-  std::vector<double> divergence(n);
 
   fe_values.reinit(cell);
-  matrix = 0;
+  const auto dilatation    = dilatations(material.is_mixed);
+  const auto &[lambda, mu] = material.hooke;
+  matrix                   = 0;
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
       for (unsigned int i = 0; i < n; ++i)
-        {
-          strain[i]     = fe_values[displacement].symmetric_gradient(i, q);
-          divergence[i] = trace(strain[i]);
-        }
+        strain[i] = fe_values[displacement].symmetric_gradient(i, q);
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j <= i; ++j)
-          matrix(i, j) += (material.lambda * divergence[i] * divergence[j] +
-                           2 * material.mu * (strain[i] * strain[j])) *
+          matrix(i, j) += (lambda * dilatation[i][q] * dilatation[j][q] +
+                           2 * mu * (strain[i] * strain[j])) *
                           fe_values.JxW(q);
     }
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < i; ++j)
       matrix(j, i) = matrix(i, j);
   ++integrations;
+}
+
+
+
+template <int dim>
+std::vector<std::vector<double>>
+ElementStiffness<dim>::dilatations(const bool are_projected) const
+{
+  const FEValuesExtractors::Vector displacement(0);
+  const auto points = fe_values.quadrature_point_indices();
+  std::vector<std::vector<double>> values(
+    matrix.m(), std::vector<double>(fe_values.n_quadrature_points));
+  for (unsigned int i = 0; i < values.size(); ++i)
+    for (const unsigned int q : points)
+      values[i][q] = fe_values[displacement].divergence(i, q);
+  if (are_projected)
+    {
+      const LinearFit<dim> fit(fe_values.get_quadrature_points(),
+                               fe_values.get_JxW_values());
+      for (auto &of_function : values)
+        {
+          const auto projected = fit(of_function);
+          for (const unsigned int q : points)
+            of_function[q] = projected(fe_values.quadrature_point(q));
+        }
+    }
+  return values;
 }
 
 

@@ -34,13 +34,21 @@ gauss_points()
 
 template <int dim>
 StrainRecovery<dim>::StrainRecovery(const Discretization<dim> &discretization,
-                                    const Quadrature<dim> &points)
-  : fe_values(discretization.mapping(),
-              discretization.fe,
-              points,
-              update_gradients)
+                                    const MaterialParameters<dim> &materials,
+                                    const Quadrature<dim> &points,
+                                    const UpdateFlags flags)
+  : discretization(discretization)
+  , materials(materials)
+  , fe_values(
+      discretization.mapping(),
+      discretization.fe,
+      points,
+      update_gradients | flags |
+        (materials.any_is_mixed() ? update_quadrature_points : update_default))
   , gradients(points.size())
 {
+  if (materials.any_is_mixed())
+    dilatation = std::make_unique<Dilatation<dim>>(discretization);
 }
 
 
@@ -52,6 +60,9 @@ StrainRecovery<dim>::reinit(const Cell &cell, const LA::Vector &displacement)
   fe_values.reinit(cell);
   fe_values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement,
                                                                   gradients);
+  material = &materials.of_element(discretization.element(cell));
+  if (material->is_mixed)
+    dilatation_of_cell = (*dilatation)(cell, displacement);
 }
 
 
@@ -61,6 +72,33 @@ unsigned int
 StrainRecovery<dim>::n_points() const
 {
   return gradients.size();
+}
+
+
+
+template <int dim>
+const FEValues<dim> &
+StrainRecovery<dim>::values() const
+{
+  return fe_values;
+}
+
+
+
+template <int dim>
+const Point<dim> &
+StrainRecovery<dim>::point(const unsigned int point) const
+{
+  return fe_values.quadrature_point(point);
+}
+
+
+
+template <int dim>
+double
+StrainRecovery<dim>::volume(const unsigned int point) const
+{
+  return fe_values.JxW(point);
 }
 
 
@@ -79,6 +117,18 @@ SymmetricTensor<2, dim>
 StrainRecovery<dim>::strain(const unsigned int point) const
 {
   return symmetrize(gradients[point]);
+}
+
+
+
+template <int dim>
+SymmetricTensor<2, 3>
+StrainRecovery<dim>::stress(const unsigned int point) const
+{
+  if (material->is_mixed)
+    return material->hooke.stress(
+      strain(point), dilatation_of_cell(fe_values.quadrature_point(point)));
+  return material->hooke.stress(strain(point));
 }
 
 
@@ -104,26 +154,25 @@ find_extremes(const Discretization<dim> &discretization,
               const MaterialParameters<dim> &materials,
               const LA::Vector &displacement)
 {
-  StrainRecovery<dim> at_nodes(discretization, node_points<dim>());
-  StrainRecovery<dim> at_gauss_points(discretization, gauss_points<dim>());
+  StrainRecovery<dim> at_nodes(discretization, materials, node_points<dim>());
+  StrainRecovery<dim> at_gauss_points(
+    discretization, materials, gauss_points<dim>());
   DeformationExtremes extremes{std::numeric_limits<double>::max(), 0, 0, 0};
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        const Hooke &material =
-          materials.of_element(discretization.element(cell)).hooke;
         at_nodes.reinit(cell, displacement);
         at_gauss_points.reinit(cell, displacement);
         find_min_jacobian(at_nodes, extremes.min_jacobian);
         find_min_jacobian(at_gauss_points, extremes.min_jacobian);
         for (unsigned int p = 0; p < at_gauss_points.n_points(); ++p)
           {
-            const auto strain = at_gauss_points.strain(p);
-            for (const double principal : eigenvalues(strain))
+            for (const double principal :
+                 eigenvalues(at_gauss_points.strain(p)))
               extremes.max_strain =
                 std::max(extremes.max_strain, std::abs(principal));
             extremes.max_shear = std::max(
-              extremes.max_shear, maximum_shear(material.stress(strain)));
+              extremes.max_shear, maximum_shear(at_gauss_points.stress(p)));
           }
         for (const auto &node : discretization.node_indices(cell))
           {

@@ -3,8 +3,11 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <setsudan/elasticity/dilatation.h>
 #include <setsudan/output/frames.h>
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace Setsudan
@@ -18,9 +21,18 @@ template <int dim>
 class StressPostprocessor : public DataPostprocessor<dim>
 {
 public:
-  explicit StressPostprocessor(const ElasticModel<dim> &model)
+  StressPostprocessor(const ElasticModel<dim> &model,
+                      const LA::Vector &displacement)
     : model(model)
   {
+    if (!model.materials.any_is_mixed())
+      return;
+    const auto &discretization = model.discretization;
+    dilatations.resize(discretization.triangulation.n_active_cells());
+    Dilatation<dim> dilatation(discretization);
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        dilatations[cell->active_cell_index()] = dilatation(cell, displacement);
   }
 
   void
@@ -28,14 +40,21 @@ public:
     const DataPostprocessorInputs::Vector<dim> &inputs,
     std::vector<dealii::Vector<double>> &values) const override
   {
-    const Hooke &material = model.hooke(inputs.template get_cell<dim>());
+    const auto cell = inputs.template get_cell<dim>();
+    const Material &material =
+      model.materials.of_element(model.discretization.element(cell));
     for (unsigned int p = 0; p < values.size(); ++p)
       {
         Tensor<2, dim> gradient;
         for (unsigned int d = 0; d < dim; ++d)
           gradient[d] = inputs.solution_gradients[p][d];
-        const auto stress = material.stress(symmetrize(gradient));
-        unsigned int n    = 0;
+        const auto strain = symmetrize(gradient);
+        const auto stress = material.hooke.stress(
+          strain,
+          material.is_mixed ? dilatations[cell->active_cell_index()](
+                                inputs.evaluation_points[p])
+                            : trace(strain));
+        unsigned int n = 0;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             values[p](n++) = stress[i][j];
@@ -67,11 +86,13 @@ public:
   UpdateFlags
   get_needed_update_flags() const override
   {
-    return update_gradients;
+    return update_gradients | update_quadrature_points;
   }
 
 private:
   const ElasticModel<dim> &model;
+  /** Of the cells of this process, where a material is mixed. */
+  std::vector<LinearFunction<dim>> dilatations;
 };
 
 
@@ -103,10 +124,11 @@ void
 FrameWriter<dim>::write(const unsigned int frame,
                         const ElasticModel<dim> &model,
                         const LA::Vector &displacement,
-                        const ElementLabels &labels)
+                        const ElementLabels &labels,
+                        const dealii::Vector<double> &error_squares)
 {
   const auto &discretization = model.discretization;
-  const StressPostprocessor<dim> stress(model);
+  const StressPostprocessor<dim> stress(model, displacement);
   const auto side = cell_data<dim>(
     discretization, [&](const unsigned int e) { return labels.side[e]; });
   const auto piece = cell_data<dim>(
@@ -128,6 +150,14 @@ FrameWriter<dim>::write(const unsigned int frame,
   data_out.add_data_vector(side, "side", DataOut<dim>::type_cell_data);
   data_out.add_data_vector(piece, "piece", DataOut<dim>::type_cell_data);
   data_out.add_data_vector(material, "material", DataOut<dim>::type_cell_data);
+  dealii::Vector<float> error(error_squares.size());
+  std::transform(error_squares.begin(),
+                 error_squares.end(),
+                 error.begin(),
+                 [](const double square) { return std::sqrt(square); });
+  if (error.size() > 0)
+    data_out.add_data_vector(
+      error, "energy_error", DataOut<dim>::type_cell_data);
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = true;
   data_out.set_flags(flags);

@@ -83,7 +83,8 @@ collect_own_records(const Body<dim> &body,
 {
   const auto signs           = collect_signs(seams);
   const auto &discretization = model.discretization;
-  StrainRecovery<dim> recovery(discretization, node_points<dim>());
+  StrainRecovery<dim> recovery(
+    discretization, model.materials, node_points<dim>());
   NodeRecords records;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -102,7 +103,7 @@ collect_own_records(const Body<dim> &body,
                 record.position[c]     = position[c];
                 record.displacement[c] = displacement(nodes[node][c]);
               }
-            record.stress_sum = model.hooke(cell).stress(recovery.strain(node));
+            record.stress_sum = recovery.stress(node);
             record.max_shear  = maximum_shear(record.stress_sum);
             record.n_elements = 1;
             const auto sign   = signs.find(nodes[node][0]);

@@ -14,7 +14,8 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
             "cutting_stress,required_stress,strain_energy,potential_energy,"
             "max_displacement,force_residual,moment_residual,min_jacobian,"
             "pieces,seconds,max_strain,max_shear,reaction_x,reaction_y,"
-            "reaction_z,clamp_x,clamp_y,clamp_z,row_pieces\n";
+            "reaction_z,clamp_x,clamp_y,clamp_z,row_pieces" +
+            std::string(event.errors ? ",energy_error,stress_error\n" : "\n");
   std::ostringstream line;
   line << std::setprecision(12) << event.frame << ',' << event.name << ','
        << event.cut << ',' << event.row << ',' << event.released_rows << ','
@@ -32,6 +33,9 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
     line << ',' << component;
   for (unsigned int i = 0; i < event.row_pieces.size(); ++i)
     line << (i == 0 ? ',' : '+') << event.row_pieces[i];
+  if (event.errors)
+    line << std::setprecision(4) << ',' << (*event.errors)[0] << ','
+         << (*event.errors)[1];
   line << '\n';
   table += line.str();
   directory.write("statistics.csv", [&](std::ostream &out) { out << table; });

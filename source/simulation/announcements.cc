@@ -33,7 +33,11 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
     line << ", chosen because the unknowns "
          << (solver->is_iterative() ? "exceed " : "do not exceed ")
          << "Solver/Direct up to = " << scene.solver.direct_up_to;
-  return line.str() + ".";
+  line << ".";
+  if (scene.material.any_is_mixed())
+    line << "\nFormulation: mixed (Material/Formulation), because Poisson's "
+            "ratio is near 1/2.";
+  return line.str();
 }
 
 
@@ -73,12 +77,14 @@ describe_roughness(const Cut<dim> &cut)
 
 
 std::string
-describe_arrest(const Event &event, const unsigned int n_rows)
+describe_arrest(const Event &event,
+                const unsigned int n_rows,
+                const std::string &quantity)
 {
   std::ostringstream line;
   line.precision(6);
-  line << "Arrested at row " << event.row + 1 << " of " << n_rows
-       << ": the cutting stress reached " << event.cutting_stress << " and "
+  line << "Arrested at row " << event.row + 1 << " of " << n_rows << ": the "
+       << quantity << " reached " << event.cutting_stress << " and "
        << event.required_stress << " is required, at load factor "
        << event.load_factor << ".";
   return line.str();

@@ -12,18 +12,30 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-CutBody<dim>::CutBody(const Scene<dim> &scene, const MPI_Comm communicator)
+CutBody<dim>::CutBody(const Scene<dim> &scene,
+                      const Refinement &refinement,
+                      const MPI_Comm communicator)
   : communicator(communicator)
   , mesh(scene.body.mesh)
   , scene(scene)
-  , refinement(refine_near_cuts(scene.body,
-                                scene.cut,
-                                scene.shape.refinement,
-                                communicator))
+  , refinement(refinement)
 {
   rebuild();
   labels.side.assign(mesh.cells.size(), 0);
   labels.piece = find_pieces(mesh);
+}
+
+
+
+template <int dim>
+CutBody<dim>::CutBody(const Scene<dim> &scene, const MPI_Comm communicator)
+  : CutBody(scene,
+            refine_near_cuts(scene.body,
+                             scene.cut,
+                             scene.shape.refinement,
+                             communicator),
+            communicator)
+{
 }
 
 
@@ -193,6 +205,32 @@ CutBody<dim>::pieces_of_row(const unsigned int row) const
   for (const unsigned int pair : seam().rows()[row].front)
     pieces.insert(labels.piece[seam().pairs()[pair].element]);
   return {pieces.begin(), pieces.end()};
+}
+
+
+
+template <int dim>
+RowArea
+CutBody<dim>::area_of_row(const unsigned int row) const
+{
+  return row_areas(scene.body,
+                   scene.material,
+                   begun_cuts.back().surface,
+                   cut().edge,
+                   seam().rows(),
+                   scene.shape.refinement + scene.cut.near_cut_levels)[row];
+}
+
+
+
+template <int dim>
+LA::Vector
+CutBody<dim>::internal_forces(const LA::Vector &displacement)
+{
+  return Setsudan::internal_forces(
+    model->discretization,
+    model->stiffness,
+    model->discretization.with_ghosts(displacement));
 }
 
 

@@ -67,6 +67,20 @@ Recorder<dim>::record(const std::string &name, const Event &event)
 
 
 template <int dim>
+Vector<double>
+Recorder<dim>::error_squares_of(const CutBody<dim> &body,
+                                const State<dim> &state) const
+{
+  // At rest there is no error.
+  if (scene.accuracy.estimate && state.error_squares.size() == 0)
+    return Vector<double>(
+      body.model->discretization.triangulation.n_active_cells());
+  return state.error_squares;
+}
+
+
+
+template <int dim>
 void
 Recorder<dim>::write_state(const CutBody<dim> &body,
                            const State<dim> &state,
@@ -81,7 +95,11 @@ Recorder<dim>::write_state(const CutBody<dim> &body,
   const LA::Vector displacement =
     body.model->discretization.with_ghosts(state.displacement);
   if (framed)
-    frames.write(frame, *body.model, displacement, body.labels);
+    frames.write(frame,
+                 *body.model,
+                 displacement,
+                 body.labels,
+                 error_squares_of(body, state));
   if (scene.output.node_tables)
     write_node_table(scene.body,
                      *body.model,
@@ -165,6 +183,25 @@ Recorder<dim>::warn_of_range(const Event &event)
 
 template <int dim>
 void
+Recorder<dim>::warn_of_round_off(const State<dim> &state)
+{
+  if (state.residual <= 1e-8 || warned_of_round_off)
+    return;
+  warned_of_round_off = true;
+  std::ostringstream message;
+  message.precision(2);
+  message << "digits are lost: the equations are solved up to "
+          << state.residual
+          << " of the loads, and not better, because the stiffness is very "
+             "uneven (a Poisson's ratio near 1/2, flat elements, or materials "
+             "far apart). Forces balance to about as many digits.";
+  progress.warn(message.str());
+}
+
+
+
+template <int dim>
+void
 Recorder<dim>::warn_anew()
 {
   warned_of_strain   = false;
@@ -179,15 +216,14 @@ Recorder<dim>::show_row(const Event &event, const unsigned int n_rows)
 {
   if (event.row == 0)
     cut_began = progress.seconds();
-  const std::string stress_unit =
-    scene.force_unit + "/" + scene.length_unit + "^2";
   std::ostringstream line;
   line.precision(4);
   line << "  row " << event.row + 1 << "/" << n_rows << "  depth "
        << event.depth << " " << scene.length_unit << "  force "
-       << event.blade_force << " " << scene.force_unit << "  stress "
+       << event.blade_force << " " << scene.force_unit << "  "
+       << (scene.yield.needs_seam() ? "energy " : "stress ")
        << event.cutting_stress << " of " << event.required_stress << " "
-       << stress_unit << " required";
+       << scene.yield.unit(scene.force_unit, scene.length_unit) << " required";
   if (event.row > 0)
     line << "  " << progress.time_left(cut_began, event.row, n_rows);
   progress.show(line.str());

@@ -56,6 +56,7 @@ Scene<dim>::declare(ParameterHandler &handler)
   CutParameters<dim>::declare(handler);
   YieldParameters::declare(handler);
   DivisionParameters::declare(handler);
+  AccuracyParameters::declare(handler);
   SolverParameters::declare(handler);
   OutputParameters::declare(handler);
 }
@@ -110,6 +111,7 @@ Scene<dim>::Scene(const Parameters &parameters)
   , cut(parameters, body, supports, blade)
   , yield(parameters)
   , division(parameters)
+  , accuracy(parameters)
   , solver(parameters)
   , output(parameters)
 {

@@ -3,7 +3,10 @@
 #include <setsudan/elasticity/transfer.h>
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/checks.h>
+#include <setsudan/simulation/choose_refinement.h>
+#include <setsudan/simulation/judgement.h>
 #include <setsudan/simulation/simulation.h>
+#include <setsudan/simulation/state_error.h>
 
 #include <sstream>
 
@@ -17,7 +20,9 @@ Simulation<dim>::Simulation(const Scene<dim> &scene,
                             const MPI_Comm communicator)
   : scene(scene)
   , recorder(scene, parameters, communicator)
-  , body(scene, communicator)
+  , body(scene,
+         choose_refinement(scene, recorder.progress, communicator),
+         communicator)
 {
 }
 
@@ -49,6 +54,8 @@ Simulation<dim>::make_cut(const unsigned int cut)
   if (!approach(cut))
     return true;
   const unsigned int n_rows = body.seam().rows().size();
+  if (scene.yield.needs_seam())
+    open_before_yield();
   for (unsigned int row = 0; row < n_rows; ++row)
     {
       deform(row);
@@ -57,7 +64,7 @@ Simulation<dim>::make_cut(const unsigned int cut)
           arrest();
           return false;
         }
-      if (row == 0)
+      if (row == 0 && !scene.yield.needs_seam())
         open();
       release(row);
     }
@@ -73,8 +80,9 @@ Simulation<dim>::rest()
 {
   recorder.progress.say(describe_body(scene, body));
   state                 = rest_state(body);
-  event.required_stress = required_stress(scene.material.smallest_shear_limit(),
-                                          scene.blade.sharpness);
+  event.required_stress = smallest_requirement(scene);
+  if (scene.accuracy.estimate)
+    event.errors = {{0., 0.}};
   recorder.record("rest", event);
   recorder.write_state(body, state, 0, true);
 }
@@ -181,7 +189,8 @@ void
 Simulation<dim>::arrest()
 {
   recorder.record("arrest", event);
-  recorder.progress.say(describe_arrest(event, body.seam().rows().size()));
+  recorder.progress.say(
+    describe_arrest(event, body.seam().rows().size(), scene.yield.quantity()));
 }
 
 
@@ -197,7 +206,7 @@ Simulation<dim>::open()
   state.displacement =
     transfer(uncut->discretization, displacement, body.model->discretization);
   state.opening  = body.model->discretization.zero_vector();
-  state.internal = internal_forces_of(body, state.displacement);
+  state.internal = body.internal_forces(state.displacement);
 
   // A fully tied seam is the uncut body.
   const State<dim> tied = solve_state(
@@ -222,9 +231,22 @@ Simulation<dim>::open()
 
 template <int dim>
 void
+Simulation<dim>::open_before_yield()
+{
+  state =
+    solve_state(scene, body, blade_on_row(body, 0), 1, state.displacement);
+  open();
+}
+
+
+
+template <int dim>
+void
 Simulation<dim>::release(const unsigned int row)
 {
-  body.seam().set_row_state(row, Seam<dim>::State::opened);
+  body.seam().set_row_state(row,
+                            scene.division.opens ? Seam<dim>::State::opened
+                                                 : Seam<dim>::State::free);
   ++event.released_rows;
 }
 
@@ -255,10 +277,18 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
 {
   event.frame = n_frames++;
   describe_state(scene, body, blade, new_state, event);
+  if (scene.accuracy.estimate)
+    {
+      const StateError error =
+        estimate_error_of_state(scene, body, blade.row, new_state);
+      event.errors = {{error.energy.relative_energy, error.cutting_stress}};
+      new_state.error_squares = error.energy.squares;
+    }
   if (event.released_rows > 0)
     check_energy_of_split(body, state, new_state);
   state = std::move(new_state);
   recorder.warn_of_range(event);
+  recorder.warn_of_round_off(state);
 }
 
 

@@ -1,3 +1,4 @@
+#include <setsudan/simulation/judgement.h>
 #include <setsudan/simulation/state.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ template <int dim>
 BladeLoad<dim>
 no_blade(const CutBody<dim> &body)
 {
-  return {body.model->discretization.zero_vector(), {}};
+  return {body.model->discretization.zero_vector(), {}, {}};
 }
 
 
@@ -61,14 +62,16 @@ blade_on_row(const CutBody<dim> &body, const unsigned int row)
   const auto &front     = body.seam().rows()[row].front;
   const auto &direction = body.cut().edge.direction;
   BladeLoad<dim> blade  = no_blade(body);
+  blade.row             = row;
   for (const auto &share : share_edge_loads(body.cut().edge_loads,
                                             body.seam().rows()[row].positions))
     for (unsigned int c = 0; c < dim; ++c)
       {
-        // The front is tied: a force on one side acts on both.
-        const auto index = pairs[front[share.node]].minus[c];
-        if (blade.nodal_forces.in_local_range(index))
-          blade.nodal_forces(index) += share.force * direction[c];
+        // Half on each side, which is one node as long as the front is tied.
+        const auto &pair = pairs[front[share.node]];
+        for (const auto index : {pair.minus[c], pair.plus[c]})
+          if (blade.nodal_forces.in_local_range(index))
+            blade.nodal_forces(index) += share.force / 2 * direction[c];
       }
   blade.nodal_forces.compress(VectorOperation::add);
   for (const auto &load : body.cut().edge_loads)
@@ -76,17 +79,6 @@ blade_on_row(const CutBody<dim> &body, const unsigned int row)
       {point_on_front(pairs, body.seam().rows()[row], load.position),
        load.force * direction});
   return blade;
-}
-
-
-
-template <int dim>
-LA::Vector
-internal_forces_of(CutBody<dim> &body, const LA::Vector &displacement)
-{
-  return internal_forces(body.model->discretization,
-                         body.model->stiffness,
-                         body.model->discretization.with_ghosts(displacement));
 }
 
 
@@ -124,18 +116,6 @@ prescribed(const CutBody<dim> &body, const State<dim> &state)
   displacement += state.opening;
   return displacement;
 }
-
-template <int dim>
-FrontStresses
-front_stresses_of(const CutBody<dim> &body,
-                  const unsigned int row,
-                  const LA::Vector &displacement)
-{
-  return front_stresses(*body.model,
-                        body.seam(),
-                        body.seam().rows()[row],
-                        body.model->discretization.with_ghosts(displacement));
-}
 } // namespace
 
 
@@ -152,9 +132,11 @@ solve_state(const Scene<dim> &scene,
   State<dim> state       = unloaded_state(scene, body);
   state.load_factor      = load_factor;
   state.forces.add(load_factor, blade.nodal_forces);
-  state.displacement = Equilibrium<dim>(*body.model, constraints, scene.solver)
-                         .solve(state.forces, prescribed(body, state), guess);
-  state.internal = internal_forces_of(body, state.displacement);
+  Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
+  state.displacement =
+    equilibrium.solve(state.forces, prescribed(body, state), guess);
+  state.residual = equilibrium.relative_residual();
+  state.internal = body.internal_forces(state.displacement);
   return state;
 }
 
@@ -172,22 +154,25 @@ solve_ramp(const Scene<dim> &scene,
   State<dim> state       = unloaded_state(scene, body);
 
   Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
-  const LA::Vector held     = prescribed(body, state);
-  const LA::Vector base     = equilibrium.solve(state.forces, held, held);
-  const LA::Vector per_load = equilibrium.solve(blade.nodal_forces, zero, zero);
-  const YieldLoad load = find_yield_load(front_stresses_of(body, row, base),
-                                         front_stresses_of(body, row, per_load),
-                                         scene.blade.sharpness,
-                                         scene.division.max_load_factor,
-                                         body.communicator);
+  const LA::Vector held = prescribed(body, state);
+  const Response<dim> base{
+    equilibrium.solve(state.forces, held, held), state.forces, held};
+  const Response<dim> per_load{
+    equilibrium.solve(blade.nodal_forces, zero, zero),
+    blade.nodal_forces,
+    zero};
+  state.residual = equilibrium.relative_residual();
+  const YieldLoad load =
+    find_yield_load(judge_row(scene, body, row, base, &per_load),
+                    scene.division.max_load_factor);
 
   state.load_factor = load.load_factor;
   state.stress      = load.stress;
   state.yields      = load.yields;
   state.forces.add(load.load_factor, blade.nodal_forces);
-  state.displacement = base;
-  state.displacement.add(load.load_factor, per_load);
-  state.internal = internal_forces_of(body, state.displacement);
+  state.displacement = base.displacement;
+  state.displacement.add(load.load_factor, per_load.displacement);
+  state.internal = body.internal_forces(state.displacement);
   return state;
 }
 
@@ -196,14 +181,13 @@ solve_ramp(const Scene<dim> &scene,
 template <int dim>
 void
 judge(const Scene<dim> &scene,
-      const CutBody<dim> &body,
+      CutBody<dim> &body,
       const unsigned int row,
       State<dim> &state)
 {
-  state.stress =
-    cutting_stress(front_stresses_of(body, row, state.displacement),
-                   scene.blade.sharpness,
-                   body.communicator);
+  const Response<dim> response{
+    state.displacement, state.forces, prescribed(body, state)};
+  state.stress = judge_row<dim>(scene, body, row, response, nullptr)(0);
   state.yields = state.stress.yields();
 }
 
@@ -213,8 +197,6 @@ template BladeLoad<2>
 no_blade(const CutBody<2> &);
 template BladeLoad<2>
 blade_on_row(const CutBody<2> &, const unsigned int);
-template LA::Vector
-internal_forces_of(CutBody<2> &, const LA::Vector &);
 template State<2>
 rest_state(const CutBody<2> &);
 template State<2>
@@ -229,13 +211,11 @@ solve_ramp(const Scene<2> &,
            const BladeLoad<2> &,
            const unsigned int);
 template void
-judge(const Scene<2> &, const CutBody<2> &, const unsigned int, State<2> &);
+judge(const Scene<2> &, CutBody<2> &, const unsigned int, State<2> &);
 template BladeLoad<3>
 no_blade(const CutBody<3> &);
 template BladeLoad<3>
 blade_on_row(const CutBody<3> &, const unsigned int);
-template LA::Vector
-internal_forces_of(CutBody<3> &, const LA::Vector &);
 template State<3>
 rest_state(const CutBody<3> &);
 template State<3>
@@ -250,5 +230,5 @@ solve_ramp(const Scene<3> &,
            const BladeLoad<3> &,
            const unsigned int);
 template void
-judge(const Scene<3> &, const CutBody<3> &, const unsigned int, State<3> &);
+judge(const Scene<3> &, CutBody<3> &, const unsigned int, State<3> &);
 } // namespace Setsudan

@@ -22,8 +22,14 @@ check(const std::string &name,
       const double max_factor,
       const double expected)
 {
-  const auto load =
-    find_yield_load(base, per_load, sharpness, max_factor, MPI_COMM_WORLD);
+  const auto load = find_yield_load(
+    [&](const double factor) {
+      return cutting_stress(YieldParameters::Criterion::maximum_shear,
+                            superpose(base, per_load, factor),
+                            sharpness,
+                            MPI_COMM_WORLD);
+    },
+    max_factor);
   check_below(
     name, std::abs(load.load_factor - expected), 1e-12 * (1 + expected));
   std::cout << "  " << (load.yields ? "yields" : "does not yield") << " at "
@@ -43,7 +49,7 @@ check_one_material(const std::string &name,
   const auto stresses = [&](const std::vector<double> &shears) {
     FrontStresses result;
     for (const double tau : shears)
-      result.push_back({shear(tau), 2 * required});
+      result.samples.push_back({shear(tau), 2 * required});
     return result;
   };
   check(name, stresses(base), stresses(per_load), 0.5, max_factor, expected);
@@ -59,20 +65,21 @@ main(int argc, char **argv)
     // The load first relieves the stress, and then turns it round.
     check_one_material("relieved first", {-0.3}, {0.1}, 0.5, 10, 8);
     check_one_material("yields at rest", {0.6}, {0.1}, 0.5, 10, 0);
-    check("nothing is required", {{shear(0), 1}}, {{shear(0.1), 1}}, 1, 10, 0);
+    check(
+      "nothing is required", {{{shear(0), 1}}}, {{{shear(0.1), 1}}}, 1, 10, 0);
     // Of two elements the one that overtakes the other decides.
     check_one_material("two elements", {0.2, 0}, {0.1, 0.3}, 1.2, 10, 4);
     // Of two materials the weaker one, although its stress is smaller.
     check("two materials",
-          {{shear(0.2), 2}, {shear(0.05), 0.5}},
-          {{shear(0.2), 2}, {shear(0.1), 0.5}},
+          {{{shear(0.2), 2}, {shear(0.05), 0.5}}},
+          {{{shear(0.2), 2}, {shear(0.1), 0.5}}},
           0.5,
           10,
           2);
     // The stronger one, where its stress is that much larger.
     check("the stronger of two",
-          {{shear(0), 2}, {shear(0), 0.5}},
-          {{shear(0.5), 2}, {shear(0.1), 0.5}},
+          {{{shear(0), 2}, {shear(0), 0.5}}},
+          {{{shear(0.5), 2}, {shear(0.1), 0.5}}},
           0.5,
           10,
           2);

@@ -60,6 +60,51 @@ test_matrix(const std::string &name,
 }
 
 
+/** The number of eigenvalues of a whole body's stiffness that are zero. */
+unsigned int
+n_zero_eigenvalues(const FullMatrix<double> &matrix)
+{
+  LAPACKFullMatrix<double> lapack(matrix.m());
+  lapack = matrix;
+  FullMatrix<double> vectors;
+  Vector<double> eigenvalues;
+  const double bound = matrix.frobenius_norm();
+  lapack.compute_eigenvalues_symmetric(
+    -bound, 2 * bound, 1e-15 * bound, eigenvalues, vectors);
+  return std::count_if(
+    eigenvalues.begin(), eigenvalues.end(), [&](const double value) {
+      return std::abs(value) < 1e-12 * bound;
+    });
+}
+
+
+/** A free body of few elements, such as a cut leaves, has its rigid motions
+ * and no other motion for nothing. */
+template <int dim>
+void
+test_free_piece(const std::string &n_elements, const std::string &formulation)
+{
+  const SmallModel<dim> small({"Body/Elements=" + n_elements,
+                               "Material/Poisson's ratio=0.4999",
+                               "Material/Formulation=" + formulation});
+  const auto &discretization = small.model.discretization;
+  ElementStiffness<dim> stiffness(discretization, small.material);
+  FullMatrix<double> matrix(discretization.dof_handler.n_dofs());
+  std::vector<types::global_dof_index> indices(
+    discretization.fe.n_dofs_per_cell());
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    {
+      cell->get_dof_indices(indices);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        for (unsigned int j = 0; j < indices.size(); ++j)
+          matrix(indices[i], indices[j]) += stiffness(cell)(i, j);
+    }
+  std::cout << "free piece of " << n_elements << " elements, " << formulation
+            << ": " << n_zero_eigenvalues(matrix) << " zero eigenvalues"
+            << std::endl;
+}
+
+
 /** In a uniform strain the nodes' work is twice the strain energy. */
 template <int dim>
 void
@@ -170,6 +215,14 @@ main(int argc, char **argv)
     test_energy(curved(plane), {});
     test_energy(curved(plane), everywhere);
     test_energy(curved(space), {});
+    for (const std::string &formulation : {"displacement", "mixed"})
+      {
+        test_free_piece<2>("1, 1", formulation);
+        test_free_piece<2>("2, 1", formulation);
+        test_free_piece<3>("1, 1, 1", formulation);
+        test_free_piece<3>("2, 1, 1", formulation);
+        test_free_piece<3>("1, 1, 2", formulation);
+      }
     test_integrations();
     test_materials<2>();
     test_materials<3>();

@@ -26,6 +26,16 @@ struct SolvedModel : SmallModel<dim>
   {
   }
 
+  /** On the elements of `mesh`. */
+  SolvedModel(const Parameters &parameters,
+              const CoarseMesh<dim> &mesh,
+              const Refinement &refinement = {})
+    : SmallModel<dim>(parameters, &mesh, refinement)
+    , solver_parameters(parameters)
+    , displacement(solve())
+  {
+  }
+
   explicit SolvedModel(const Assignments &assignments,
                        const Refinement &refinement = {})
     : SolvedModel(parameters_of(assignments, declare), refinement)

@@ -47,10 +47,11 @@ test_linear(const CoarseMesh<dim> &mesh)
   const Tensor<2, dim> gradient = some_gradient<dim>();
   const LA::Vector u            = discretization.with_ghosts(nodal_values(
     discretization, [&](const Point<dim> &p) { return gradient * p; }));
+  const auto material           = material_of(mesh, 5., 0.3);
   double error = 0, farthest = 0;
   for (const auto &quadrature : {node_points<dim>(), gauss_points<dim>()})
     {
-      StrainRecovery<dim> recovery(discretization, quadrature);
+      StrainRecovery<dim> recovery(discretization, material, quadrature);
       for (const auto &cell :
            discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
@@ -65,7 +66,6 @@ test_linear(const CoarseMesh<dim> &mesh)
     }
   check_on_all("gradient", error);
 
-  const auto material  = material_of(mesh, 5., 0.3);
   const Hooke &hooke   = material.of_element(0).hooke;
   const auto extremes  = find_extremes(discretization, material, u);
   const auto principal = eigenvalues(symmetrize(gradient));

@@ -15,6 +15,7 @@ ROOMS = [
     "elasticity",
     "solver",
     "cut",
+    "accuracy",
     "output",
     "simulation",
 ]

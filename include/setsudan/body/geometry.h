@@ -31,6 +31,13 @@ normal_of_face(const ElementNodes<dim> &nodes,
                const unsigned int face,
                const dealii::Point<dim> &unit_point);
 
+/** The area of a face per area of the reference cell's, at a point of it. */
+template <int dim>
+double
+area_element_of_face(const ElementNodes<dim> &nodes,
+                     const unsigned int face,
+                     const dealii::Point<dim> &unit_point);
+
 /** The integral of the normal over a face: its length is the area of a plane
  * face. */
 template <int dim>

@@ -21,6 +21,9 @@ struct DivisionParameters
   };
 
   Release release;
+  /** Whether the blade keeps the sides of split rows apart; else they are
+   * free. */
+  bool opens;
   /** In shortest lines of the cut. */
   double row_tolerance;
   LoadControl load_control;

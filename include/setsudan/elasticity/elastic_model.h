@@ -21,9 +21,6 @@ struct ElasticModel
                const MaterialParameters<dim> &materials,
                const MPI_Comm communicator);
 
-  const Hooke &
-  hooke(const typename Discretization<dim>::Cell &cell) const;
-
   const MaterialParameters<dim> &materials;
   Discretization<dim> discretization;
   ElementStiffness<dim> stiffness;

@@ -21,6 +21,13 @@ public:
   dealii::SymmetricTensor<2, 3>
   stress(const dealii::SymmetricTensor<2, dim> &strain) const;
 
+  /** The same where the change of volume is not the strain's trace (see
+   * Dilatation). */
+  template <int dim>
+  dealii::SymmetricTensor<2, 3>
+  stress(const dealii::SymmetricTensor<2, dim> &strain,
+         const double dilatation) const;
+
   /** Lamé's constants [force/area]. */
   const double lambda;
   const double mu;

@@ -14,6 +14,10 @@ struct Material
 {
   Hooke hooke;
   double shear_limit;
+  /** Energy per new area that a blade of sharpness 0 needs [force/length]. */
+  double toughness;
+  /** Whether the change of volume is projected (see Dilatation). */
+  bool is_mixed;
 };
 
 /** Subsection `Material`: the materials, and which element has which. */
@@ -35,9 +39,20 @@ public:
   unsigned int
   number(const unsigned int element) const;
 
+  unsigned int
+  n_materials() const;
+
   /** The smallest shear limit of all. */
   double
   smallest_shear_limit() const;
+
+  /** The smallest toughness of all. */
+  double
+  smallest_toughness() const;
+
+  /** Whether some of the materials need the mixed formulation. */
+  bool
+  any_is_mixed() const;
 
   double linear_range;
 

@@ -3,6 +3,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
+#include <setsudan/body/coarse_mesh.h>
+
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -60,6 +62,25 @@ struct Refinement
    * processes. */
   std::vector<CellPath> refined;
 };
+
+/** The record of a mesh that was refined everywhere by `global_levels` first;
+ * called by all processes that share it, all get the same. */
+template <int dim>
+Refinement
+record_refinement(const dealii::Triangulation<dim> &triangulation,
+                  const unsigned int global_levels);
+
+/** The cells of all processes' lists, ascending; called by all of them. */
+std::vector<CellPath>
+gather_cells(const std::vector<CellPath> &own, const MPI_Comm communicator);
+
+/** How many cells the mesh of a body has when it is refined so; called by all
+ * processes. */
+template <int dim>
+dealii::types::global_cell_index
+count_cells(const CoarseMesh<dim> &mesh,
+            const Refinement &refinement,
+            const MPI_Comm communicator);
 
 /** Refine an unrefined mesh of the body as recorded. */
 template <int dim>

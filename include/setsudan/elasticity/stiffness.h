@@ -3,7 +3,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <setsudan/elasticity/discretization.h>
+#include <setsudan/elasticity/dilatation.h>
 #include <setsudan/elasticity/material_parameters.h>
 
 #include <vector>
@@ -48,7 +48,12 @@ private:
           const unsigned int material) const;
 
   void
-  integrate(const Cell &cell, const Hooke &material);
+  integrate(const Cell &cell, const Material &material);
+
+  /** The change of volume that each shape function makes at each Gauss point
+   * of the present cell. */
+  std::vector<std::vector<double>>
+  dilatations(const bool are_projected) const;
 
   const Discretization<dim> &discretization;
   const MaterialParameters<dim> &materials;

@@ -3,9 +3,10 @@
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <setsudan/elasticity/discretization.h>
+#include <setsudan/elasticity/dilatation.h>
 #include <setsudan/elasticity/material_parameters.h>
 
+#include <memory>
 #include <vector>
 
 namespace Setsudan
@@ -30,8 +31,12 @@ class StrainRecovery
 public:
   using Cell = typename Discretization<dim>::Cell;
 
+  /** @param discretization and materials must live as long.
+   * @param flags what else is asked for: positions and volumes of points. */
   StrainRecovery(const Discretization<dim> &discretization,
-                 const dealii::Quadrature<dim> &points);
+                 const MaterialParameters<dim> &materials,
+                 const dealii::Quadrature<dim> &points,
+                 const dealii::UpdateFlags flags = dealii::update_default);
 
   /** Evaluate a displacement (with ghosts) on a cell. */
   void
@@ -40,15 +45,38 @@ public:
   unsigned int
   n_points() const;
 
+  /** The element's functions at the points of the present cell, in so far as
+   * they were asked for. */
+  const dealii::FEValues<dim> &
+  values() const;
+
+  /** The position of a point, where update_quadrature_points was asked for. */
+  const dealii::Point<dim> &
+  point(const unsigned int point) const;
+
+  /** The volume that a point of a quadrature rule stands for, where
+   * update_JxW_values was asked for. */
+  double
+  volume(const unsigned int point) const;
+
   const dealii::Tensor<2, dim> &
   gradient(const unsigned int point) const;
 
   dealii::SymmetricTensor<2, dim>
   strain(const unsigned int point) const;
 
+  dealii::SymmetricTensor<2, 3>
+  stress(const unsigned int point) const;
+
 private:
+  const Discretization<dim> &discretization;
+  const MaterialParameters<dim> &materials;
   dealii::FEValues<dim> fe_values;
   std::vector<dealii::Tensor<2, dim>> gradients;
+  const Material *material = nullptr;
+  /** Only where a material needs it. */
+  std::unique_ptr<Dilatation<dim>> dilatation;
+  LinearFunction<dim> dilatation_of_cell;
 };
 
 /** The extremes of a deformed state. */

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/lac/vector.h>
+
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/output/output_directory.h>
 
@@ -33,12 +35,14 @@ public:
    * quadratic cells. Called by all processes.
    *
    * @param displacement with ghosts.
+   * @param error_squares see ErrorEstimate; empty if errors are not estimated.
    */
   void
   write(const unsigned int frame,
         const ElasticModel<dim> &model,
         const LA::Vector &displacement,
-        const ElementLabels &labels);
+        const ElementLabels &labels,
+        const dealii::Vector<double> &error_squares = {});
 
 private:
   const OutputDirectory &directory;

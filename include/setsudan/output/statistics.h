@@ -3,6 +3,7 @@
 #include <setsudan/output/output_directory.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct Event
   std::array<double, 3> reaction{};
   /** The force of the clamps that move. */
   std::array<double, 3> clamp_force{};
+  /** Estimated relative errors of the strain energy and of the cutting stress,
+   * where they are asked for: in all events of a run, or in none. */
+  std::optional<std::array<double, 2>> errors;
   /** The pieces in which the row's front lies, as they were before this cut. */
   std::vector<unsigned int> row_pieces = {0};
 };

@@ -26,7 +26,9 @@ std::string
 describe_roughness(const Cut<dim> &cut);
 
 std::string
-describe_arrest(const Event &event, const unsigned int n_rows);
+describe_arrest(const Event &event,
+                const unsigned int n_rows,
+                const std::string &quantity);
 
 /** The pieces that have lost their support, besides those `known` before. */
 template <int dim>

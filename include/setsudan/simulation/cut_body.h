@@ -1,5 +1,6 @@
 #pragma once
 
+#include <setsudan/cut/row_areas.h>
 #include <setsudan/cut/seam.h>
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/elasticity/loose_pieces.h>
@@ -20,6 +21,11 @@ class CutBody
 {
 public:
   /** The uncut body; `scene` must live as long. */
+  CutBody(const Scene<dim> &scene,
+          const Refinement &refinement,
+          const MPI_Comm communicator);
+
+  /** Refined as the scene says. */
   CutBody(const Scene<dim> &scene, const MPI_Comm communicator);
 
   /** Begin a new cut: find its rows. The mesh stays as it is. Pieces that have
@@ -62,6 +68,14 @@ public:
   /** The pieces in which the front of a row lies, ascending. */
   std::vector<unsigned int>
   pieces_of_row(const unsigned int row) const;
+
+  /** What splitting a row of the newest cut opens. */
+  RowArea
+  area_of_row(const unsigned int row) const;
+
+  /** K u of a displacement without ghosts. */
+  LA::Vector
+  internal_forces(const LA::Vector &displacement);
 
   const MPI_Comm communicator;
   CoarseMesh<dim> mesh;

@@ -46,6 +46,10 @@ public:
   void
   warn_of_range(const Event &event);
 
+  /** Warn, once, of digits that a solve has lost. */
+  void
+  warn_of_round_off(const State<dim> &state);
+
   void
   warn_anew();
 
@@ -56,13 +60,17 @@ public:
   Progress progress;
 
 private:
+  dealii::Vector<double>
+  error_squares_of(const CutBody<dim> &body, const State<dim> &state) const;
+
   const Scene<dim> &scene;
   const OutputDirectory directory;
   const bool is_first_process;
   FrameWriter<dim> frames;
   Statistics statistics;
-  bool warned_of_strain   = false;
-  bool warned_of_jacobian = false;
-  double cut_began        = 0;
+  bool warned_of_round_off = false;
+  bool warned_of_strain    = false;
+  bool warned_of_jacobian  = false;
+  double cut_began         = 0;
 };
 } // namespace Setsudan

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <setsudan/accuracy/accuracy_parameters.h>
 #include <setsudan/body/body_parameters.h>
 #include <setsudan/body/supports.h>
 #include <setsudan/cut/blade.h>
@@ -44,6 +45,7 @@ struct Scene
   const CutParameters<dim> cut;
   const YieldParameters yield;
   const DivisionParameters division;
+  const AccuracyParameters accuracy;
   const SolverParameters solver;
   const OutputParameters output;
 };

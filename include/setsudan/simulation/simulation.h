@@ -54,6 +54,10 @@ private:
   void
   open();
 
+  /** Duplicate the nodes already when the first row is judged. */
+  void
+  open_before_yield();
+
   void
   release(const unsigned int row);
 

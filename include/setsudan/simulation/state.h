@@ -1,9 +1,12 @@
 #pragma once
 
+#include <deal.II/lac/vector.h>
+
 #include <setsudan/elasticity/balance.h>
 #include <setsudan/simulation/cut_body.h>
 #include <setsudan/solver/equilibrium.h>
 
+#include <optional>
 #include <vector>
 
 namespace Setsudan
@@ -15,6 +18,8 @@ struct BladeLoad
 {
   LA::Vector nodal_forces;
   std::vector<PointForce<dim>> forces;
+  /** The row of the newest cut on which it stands. */
+  std::optional<unsigned int> row;
 };
 
 /** No blade: all forces zero. */
@@ -40,15 +45,14 @@ struct State
   /** K u, with which the elements resist (see internal_forces()). */
   LA::Vector internal;
   double load_factor = 0;
+  /** The residual of the solve, relative to the loads. */
+  double residual = 0;
   CuttingStress stress;
   /** Whether the front row yields; set where it is asked for. */
   bool yields = false;
+  /** The error of each cell, where it is estimated (see ErrorEstimate). */
+  dealii::Vector<double> error_squares = {};
 };
-
-/** K u of a displacement without ghosts. */
-template <int dim>
-LA::Vector
-internal_forces_of(CutBody<dim> &body, const LA::Vector &displacement);
 
 /** The undeformed body, on the present mesh. */
 template <int dim>
@@ -82,7 +86,7 @@ solve_ramp(const Scene<dim> &scene,
 template <int dim>
 void
 judge(const Scene<dim> &scene,
-      const CutBody<dim> &body,
+      CutBody<dim> &body,
       const unsigned int row,
       State<dim> &state);
 } // namespace Setsudan

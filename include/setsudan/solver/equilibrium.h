@@ -36,11 +36,25 @@ public:
         const LA::Vector &prescribed,
         const LA::Vector &guess);
 
+  /** The residual that the last solve left, relative to the loads: round-off,
+   * which is large where the stiffness is very uneven. */
+  double
+  relative_residual() const;
+
 private:
+  /** Solve for the condensed loads, and improve the solution as long as that
+   * lowers the residual. */
+  LA::Vector
+  solve_condensed(const LA::Vector &b, const LA::Vector &guess);
+
+  [[noreturn]] void
+  fail() const;
+
   ElasticModel<dim> &model;
   const dealii::AffineConstraints<double> &constraints;
   LA::SparseMatrix matrix;
   /** Behind the matrix, which must outlive it. */
   std::unique_ptr<LinearSolver> solver;
+  double residual_of_last = 0;
 };
 } // namespace Setsudan

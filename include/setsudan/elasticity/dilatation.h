@@ -1,0 +1,42 @@
+#pragma once
+
+#include <deal.II/fe/fe_values.h>
+
+#include <setsudan/elasticity/discretization.h>
+#include <setsudan/elasticity/linear_fit.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The dilatation (change of volume per volume, the trace of the strain) of a
+ * cell as the mixed formulation has it: the L2 projection of the displacement's
+ * divergence onto linear functions of position.
+ *
+ * A cell that must keep its volume at each of 27 Gauss points can hardly deform
+ * (it locks as Poisson's ratio nears 1/2); one that must keep it in the 4
+ * linear moments can. This is the displacement-pressure formulation with a
+ * linear pressure in each cell, the pressure eliminated (Simo, Taylor and
+ * Pister 1985, Computer Methods in Applied Mechanics and Engineering 51,
+ * 177-208). Only the part lambda tr(strain) of the stress takes part in it:
+ * what remains, 2 mu strain, resists every motion that is not rigid, so that no
+ * spurious mode can arise, in a single free cell neither.
+ */
+template <int dim>
+class Dilatation
+{
+public:
+  using Cell = typename Discretization<dim>::Cell;
+
+  explicit Dilatation(const Discretization<dim> &discretization);
+
+  /** @param displacement with ghosts. */
+  LinearFunction<dim>
+  operator()(const Cell &cell, const LA::Vector &displacement);
+
+private:
+  dealii::FEValues<dim> fe_values;
+  std::vector<double> divergences;
+};
+} // namespace Setsudan

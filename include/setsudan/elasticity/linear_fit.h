@@ -1,0 +1,47 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/** A linear function of position. */
+template <int dim>
+struct LinearFunction
+{
+  dealii::Point<dim> center;
+  double value = 0;
+  dealii::Tensor<1, dim> slope;
+
+  double
+  operator()(const dealii::Point<dim> &point) const
+  {
+    return value + slope * (point - center);
+  }
+};
+
+/** The linear function that is nearest to values at weighted points: with the
+ * points and weights of a quadrature, the L2 projection. */
+template <int dim>
+class LinearFit
+{
+public:
+  /** @param weights greater than 0; the points do not lie in one plane. */
+  LinearFit(const std::vector<dealii::Point<dim>> &points,
+            const std::vector<double> &weights);
+
+  LinearFunction<dim>
+  operator()(const std::vector<double> &values) const;
+
+private:
+  const std::vector<dealii::Point<dim>> &points;
+  const std::vector<double> &weights;
+  /** The points' weighted mean, about which the function's mean is its value
+   * and has nothing to do with its slope. */
+  dealii::Point<dim> center;
+  double volume = 0;
+  dealii::Tensor<2, dim> inverse_second_moment;
+};
+} // namespace Setsudan

@@ -1,0 +1,135 @@
+// The energy that a row would release: the difference of the potential energies
+// with and without its ties, half the ties' forces times the opening, and a
+// square of the load. The areas of rows sum up to that of the cut.
+
+#include <setsudan/simulation/judgement.h>
+#include <setsudan/simulation/state.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+#include "../test_setup.h"
+
+using namespace Setsudan;
+using namespace dealii;
+
+void
+report(const std::string &name, const double error, const double tolerance)
+{
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    check_below(name, error, tolerance);
+}
+
+
+/** The work of the row's ties on its opening: the forces on the plus side are
+ * what K u leaves over from the loads. */
+template <int dim>
+double
+work_of_ties(CutBody<dim> &body,
+             const unsigned int row,
+             const State<dim> &tied,
+             const LA::Vector &released)
+{
+  LA::Vector ties = body.internal_forces(tied.displacement);
+  ties -= tied.forces;
+  double work = 0;
+  for (const unsigned int p : body.seam().rows()[row].pairs)
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto index :
+           {body.seam().pairs()[p].plus[c], body.seam().pairs()[p].minus[c]})
+        if (body.model->discretization.owned.is_element(index))
+          work += ties(index) * (released(index) - tied.displacement(index));
+  return -Utilities::MPI::sum(work, MPI_COMM_WORLD) / 2;
+}
+
+
+template <int dim>
+void
+test(const std::vector<SceneEntry> &more)
+{
+  std::vector<SceneEntry> entries = {
+    {"Body", "Elements", dim == 3 ? "2,2,2" : "4,4", ""},
+    {"Support", "Fixed faces", "bottom", ""},
+    {"Blade", "Edge loads", dim == 3 ? "1:1, 4:2" : "0:1", ""},
+    {"Load", "Body force", dim == 3 ? "0.01, 0.02, -0.1" : "0.1, -0.1", ""},
+    {"Yield", "Criterion", "energy release", ""},
+    {"Material", "Toughness", "0.25", ""},
+    {"Blade", "Sharpness", "0.2", ""},
+    {"Cut", "Surfaces", dim == 3 ? "y:1" : "x:2", ""}};
+  entries.insert(entries.end(), more.begin(), more.end());
+  const Scene<dim> scene(Parameters("test", entries, Scene<dim>::declare));
+  CutBody<dim> body(scene, MPI_COMM_WORLD);
+  body.approach(scene.cut.cuts[0]);
+  body.open();
+  body.seam().set_row_state(0, Seam<dim>::State::opened);
+
+  const unsigned int row = 1;
+  const auto blade       = blade_on_row(body, row);
+  const LA::Vector zero  = body.model->discretization.zero_vector();
+  State<dim> tied        = solve_state(scene, body, blade, 1, zero);
+  judge(scene, body, row, tied);
+  body.seam().set_row_state(row, Seam<dim>::State::free);
+  // Its opening is that of the row before, and none of its own.
+  const State<dim> released = solve_state(scene, body, blade, 1, zero);
+  body.seam().set_row_state(row, Seam<dim>::State::tied);
+
+  const auto energy = [&](const State<dim> &state) {
+    return state.internal * state.displacement / 2 -
+           state.forces * state.displacement;
+  };
+  const double area            = body.area_of_row(row).area;
+  const double released_energy = tied.stress.reached * area;
+  report("  difference of energies",
+         std::abs((energy(tied) - energy(released)) / released_energy - 1),
+         1e-9);
+  report("  work of the ties",
+         std::abs(work_of_ties(body, row, tied, released.displacement) /
+                    released_energy -
+                  1),
+         1e-9);
+  report("  required", std::abs(tied.stress.required - 0.2), 1e-12);
+
+  // Without an opening and other loads the energy is a square of the load.
+  const Response<dim> nothing{zero, zero, zero};
+  const auto constraints = body.constraints();
+  const Response<dim> per_load{
+    Equilibrium<dim>(*body.model, constraints, scene.solver)
+      .solve(blade.nodal_forces, zero, zero),
+    blade.nodal_forces,
+    zero};
+  const auto at = judge_row<dim>(scene, body, row, nothing, &per_load);
+  report("  square of the load",
+         std::abs(at(3).reached / (9 * at(1).reached) - 1),
+         1e-12);
+
+  double sum = 0;
+  for (unsigned int r = 0; r < body.seam().rows().size(); ++r)
+    sum += body.area_of_row(r).area;
+  const double whole =
+    measure_surface(scene.body, scene.cut.cuts[0].surface.faces).area;
+  report("  areas", std::abs(sum / whole - 1), 1e-12);
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    const bool speaks = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const auto say    = [&](const std::string &name) {
+      if (speaks)
+        std::cout << name << std::endl;
+    };
+    say("2D");
+    test<2>({});
+    say("2D, refined near the cut");
+    test<2>({{"Cut", "Refinement near cut", "1", ""}});
+    say("3D");
+    test<3>({});
+    say("3D, rows of elements");
+    test<3>({{"Division", "Release", "element row", ""}});
+    say("3D, nearly incompressible");
+    test<3>({{"Material", "Poisson's ratio", "0.499", ""}});
+  });
+}
