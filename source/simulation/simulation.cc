@@ -51,6 +51,11 @@ Simulation<dim>::make_cut(const unsigned int cut)
   const unsigned int n_rows = body.seam().rows().size();
   for (unsigned int row = 0; row < n_rows; ++row)
     {
+      if (row > 0 && body.is_left_out(row))
+        {
+          ++event.released_rows;
+          continue;
+        }
       deform(row);
       if (!row_yields(row))
         {
@@ -224,8 +229,20 @@ template <int dim>
 void
 Simulation<dim>::release(const unsigned int row)
 {
-  body.seam().set_row_state(row, Seam<dim>::State::opened);
+  const auto known = body.loose_pieces;
+  body.release(row);
+  say_what_is_loose(known);
   ++event.released_rows;
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::say_what_is_loose(const std::vector<LoosePiece> &known)
+{
+  for (const auto &line : describe_loose_pieces(scene, body, known))
+    recorder.progress.say(line);
 }
 
 
@@ -236,8 +253,7 @@ Simulation<dim>::divide()
 {
   const auto known = body.loose_pieces;
   body.divide();
-  for (const auto &line : describe_loose_pieces(scene, body, known))
-    recorder.progress.say(line);
+  say_what_is_loose(known);
   State<dim> divided =
     solve_state(scene, body, no_blade(body), 0, state.displacement);
   accept(std::move(divided), no_blade(body));
