@@ -9,29 +9,67 @@ namespace Setsudan
 {
 using namespace dealii;
 
+namespace
+{
+double
+degrees_of_sine(const double sine)
+{
+  return std::asin(std::min(1., std::abs(sine))) * 180 / numbers::PI;
+}
+
+/** The mean of the sine between a direction and faces. */
 template <int dim>
-BladeEdge<dim>::BladeEdge(const SurfaceArea<dim> &area,
+double
+mean_sine(const std::vector<Tensor<1, dim>> &areas,
+          const Tensor<1, dim> &direction)
+{
+  double across = 0, sum = 0;
+  for (const auto &area : areas)
+    {
+      across += std::abs(area * direction);
+      sum += area.norm();
+    }
+  return sum > 0 ? across / sum : 0.;
+}
+} // namespace
+
+
+template <int dim>
+BladeEdge<dim>::BladeEdge(const std::vector<Tensor<1, dim>> &areas,
                           const Tensor<1, dim> &way)
   : direction(way)
 {
   Tensor<1, dim> normal;
-  if (area.vector.norm() > 1e-6 * area.area)
-    normal = area.vector / area.vector.norm();
+  double area = 0;
+  for (const auto &face : areas)
+    {
+      normal += face;
+      area += face.norm();
+    }
+  has_plane = normal.norm() > 1e-6 * area;
+  if (has_plane)
+    normal /= normal.norm();
   // A direction that lies in the cut up to round-off stays as it is.
   const double out_of_plane = normal * way;
-  if (std::abs(out_of_plane) > 1e-12)
+  if (has_plane && std::abs(out_of_plane) > 1e-12)
     {
-      turned_by =
-        std::asin(std::min(1., std::abs(out_of_plane))) * 180 / numbers::PI;
-      direction -= out_of_plane * normal;
-      if (direction.norm() > 0)
-        direction /= direction.norm();
+      Tensor<1, dim> projected = way - out_of_plane * normal;
+      if (projected.norm() > 1e-12)
+        projected /= projected.norm();
+      has_plane = projected.norm() > 0.5 &&
+                  mean_sine(areas, projected) < mean_sine(areas, way);
+      if (has_plane)
+        {
+          turned_by = degrees_of_sine(out_of_plane);
+          direction = projected;
+        }
     }
+  off_faces = degrees_of_sine(mean_sine(areas, direction));
   if constexpr (dim == 3)
     {
-      // Any edge across the way, where the surface is closed.
+      // Any edge across the way, where the surface has no plane.
       Tensor<1, dim> tangent = cross_product_3d(normal, direction);
-      for (unsigned int d = 0; d < dim && normal.norm() == 0; ++d)
+      for (unsigned int d = 0; d < dim && !has_plane; ++d)
         tangent[d] = 1 - std::abs(direction[d]);
       for (unsigned int d = 1; d < dim; ++d)
         // The first of equally near axes, whatever the round-off.

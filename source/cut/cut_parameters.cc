@@ -99,6 +99,21 @@ limit_surface(const Body<dim> &body,
 
 
 
+/** Whether two surfaces are the same faces, which may be sorted and turned in
+ * different ways. */
+template <int dim>
+bool
+is_same(const CutSurface<dim> &a, const CutSurface<dim> &b)
+{
+  const auto sorted = [](const CutSurface<dim> &surface) {
+    std::vector<CellFace> faces;
+    for (const auto &face : surface)
+      faces.push_back(std::min(face.minus, face.plus));
+    std::sort(faces.begin(), faces.end());
+    return faces;
+  };
+  return sorted(a) == sorted(b);
+}
 } // namespace
 
 
@@ -116,16 +131,20 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
                      "Refinement near cut",
                      "a whole number of levels from 0 to 10, and a width");
 
-  const auto items         = read_surfaces(parameters, body);
-  const auto extents       = read_extents<dim>(parameters, items.size());
-  const auto require_count = [&](const std::size_t n, const std::string &name) {
-    parameters.require(n == 1 || n == items.size(),
-                       "Blade",
-                       name,
-                       "one item for all cuts, or one for each");
-  };
-  require_count(blade.directions.size(), "Direction");
-  require_count(blade.edge_loads.size(), "Edge loads");
+  const auto items   = read_surfaces(parameters, body);
+  const auto extents = read_extents<dim>(parameters, items.size());
+  const auto require_count =
+    [&](const std::size_t n, const std::string &name, const std::string &hint) {
+      parameters.require(n == 1 || n == items.size(),
+                         "Blade",
+                         name,
+                         "one item for all cuts, or one for each" + hint);
+    };
+  require_count(blade.directions.size(), "Direction", "");
+  require_count(blade.edge_loads.size(),
+                "Edge loads",
+                ", separated by ';'; the positions of one cut are separated by "
+                "','");
 
   for (unsigned int c = 0; c < items.size(); ++c)
     {
@@ -142,26 +161,24 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
                             "surfaces inside the body, and '" + items[c].text +
                               "' is none: " + error.what());
         }
-      surface.faces =
-        limit_surface(body, surface.faces, for_cut(extents, c), direction);
+      // The depth is measured as the blade travels in the whole surface.
+      const BladeEdge<dim> whole(areas_of_faces(body, surface.faces),
+                                 direction);
+      surface.faces = limit_surface(
+        body, surface.faces, for_cut(extents, c), whole.direction);
       check_surface(parameters, body, items[c].text, surface.faces);
       cuts.push_back(
         {items[c].text,
          surface,
-         BladeEdge<dim>(measure_surface(body, surface.faces), direction),
+         BladeEdge<dim>(areas_of_faces(body, surface.faces), direction),
          for_cut(blade.edge_loads, c)});
       for (unsigned int other = 0; other < c; ++other)
-        parameters.require(cuts[other].surface.faces.size() !=
-                               surface.faces.size() ||
-                             !std::equal(surface.faces.begin(),
-                                         surface.faces.end(),
-                                         cuts[other].surface.faces.begin(),
-                                         [](const auto &a, const auto &b) {
-                                           return a.minus == b.minus;
-                                         }),
+        parameters.require(!is_same(cuts[other].surface.faces, surface.faces),
                            "Cut",
                            "Surfaces",
-                           "each surface once");
+                           "each surface once, and '" + cuts[other].text +
+                             "' and '" + items[c].text +
+                             "' have the same element faces");
       check_blade(parameters, body, supports, cuts.back());
     }
 }

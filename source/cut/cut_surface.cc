@@ -133,13 +133,24 @@ choose_plus(const Body<dim> &body,
 
 
 template <int dim>
+std::vector<Tensor<1, dim>>
+areas_of_faces(const Body<dim> &body, const CutSurface<dim> &surface)
+{
+  std::vector<Tensor<1, dim>> areas;
+  for (const auto &face : surface)
+    areas.push_back(area_vector(body, face));
+  return areas;
+}
+
+
+
+template <int dim>
 SurfaceArea<dim>
 measure_surface(const Body<dim> &body, const CutSurface<dim> &surface)
 {
   SurfaceArea<dim> sum;
-  for (const auto &face : surface)
+  for (const auto &area : areas_of_faces(body, surface))
     {
-      const auto area = area_vector(body, face);
       sum.vector += area;
       sum.area += area.norm();
     }
@@ -198,6 +209,10 @@ orient_surface(const Body<dim> &body, CutSurface<dim> &surface)
 
 
 
+template std::vector<Tensor<1, 2>>
+areas_of_faces(const Body<2> &, const CutSurface<2> &);
+template std::vector<Tensor<1, 3>>
+areas_of_faces(const Body<3> &, const CutSurface<3> &);
 template SurfaceArea<2>
 measure_surface(const Body<2> &, const CutSurface<2> &);
 template SurfaceArea<3>

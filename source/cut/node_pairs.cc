@@ -134,6 +134,8 @@ public:
         pair.normal  = normal_of_face(corners, side.second, point);
         pair.element = side.first;
       }
+    else
+      pair.plus_element = side.first;
     auto &indices = is_minus ? pair.minus : pair.plus;
     std::copy(report.begin() + 5, report.end(), indices.begin());
     pair.supported |= std::bitset<dim>(report[4]);

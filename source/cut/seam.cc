@@ -95,7 +95,8 @@ void
 Seam<dim>::set_row_state(const unsigned int row, const State state)
 {
   for (const unsigned int pair : node_rows[row].pairs)
-    states[pair] = state;
+    if (states[pair] != State::free)
+      states[pair] = state;
 }
 
 
@@ -105,6 +106,57 @@ void
 Seam<dim>::set_all_states(const State state)
 {
   states.assign(states.size(), state);
+}
+
+
+
+template <int dim>
+void
+Seam<dim>::leave_out(const std::vector<unsigned int> &pieces,
+                     const std::set<unsigned int> &left_out)
+{
+  for (unsigned int p = 0; p < node_pairs.size(); ++p)
+    if (left_out.count(pieces[node_pairs[p].element]) > 0 ||
+        left_out.count(pieces[node_pairs[p].plus_element]) > 0)
+      states[p] = State::free;
+  for (auto &row : node_rows)
+    {
+      Row joined = row;
+      joined.front.clear();
+      joined.positions.clear();
+      for (unsigned int i = 0; i < row.front.size(); ++i)
+        if (states[row.front[i]] != State::free)
+          {
+            joined.front.push_back(row.front[i]);
+            joined.positions.push_back(row.positions[i]);
+          }
+      row = std::move(joined);
+    }
+}
+
+
+
+template <int dim>
+std::vector<PieceLink<dim>>
+Seam<dim>::links(const std::vector<unsigned int> &pieces) const
+{
+  std::vector<PieceLink<dim>> links;
+  for (unsigned int p = 0; p < node_pairs.size(); ++p)
+    {
+      const NodePair<dim> &pair = node_pairs[p];
+      const std::array<unsigned int, 2> sides{
+        {pieces[pair.plus_element], pieces[pair.element]}};
+      if (sides[0] == sides[1] || dependent_sides[p] == Dependent::none)
+        continue;
+      if (states[p] == State::tied)
+        for (unsigned int c = 0; c < dim; ++c)
+          links.push_back(
+            {sides, pair.position, Tensor<1, dim>(Point<dim>::unit_vector(c))});
+      else if (states[p] == State::opened &&
+               !pair.supported[normal_component(p)])
+        links.push_back({sides, pair.position, pair.normal});
+    }
+  return links;
 }
 
 
@@ -161,19 +213,24 @@ Seam<dim>::add_constraints(AffineConstraints<double> &constraints) const
         continue;
       const auto &normal    = node_pairs[p].normal;
       const auto &supported = node_pairs[p].supported;
-      const auto &slave     = dependent(p);
-      const auto &master    = independent(p);
+      auto slave            = dependent(p);
+      auto master           = independent(p);
       if (states[p] == State::tied)
         {
           for (unsigned int c = 0; c < dim; ++c)
-            if (!supported[c] && !constraints.is_constrained(slave[c]))
-              {
-                constraints.add_line(slave[c]);
-                constraints.add_entry(slave[c], master[c], 1);
-              }
+            {
+              if (constraints.is_constrained(slave[c]))
+                std::swap(slave[c], master[c]);
+              if (supported[c] || constraints.is_constrained(slave[c]))
+                continue;
+              constraints.add_line(slave[c]);
+              constraints.add_entry(slave[c], master[c], 1);
+            }
           continue;
         }
       const unsigned int c = normal_component(p);
+      if (constraints.is_constrained(slave[c]))
+        std::swap(slave, master);
       if (supported[c] || constraints.is_constrained(slave[c]))
         continue;
       // n.(u+ - u-) = 0, which the two sides enter with opposite signs.

@@ -30,87 +30,165 @@ rigid_modes(const Point<dim> &point,
 
 namespace
 {
-/** An orthonormal basis of rigid motions that grows as components are held. */
+// Forms of order one of which less is left are held already.
+constexpr double is_held_below = 1e-8;
+} // namespace
+
+
 template <int dim>
-class HeldMotions
+typename HeldMotions<dim>::Frame
+HeldMotions<dim>::frame_of(const std::vector<Point<dim>> &points)
 {
-public:
-  using Motion = Tensor<1, n_rigid_modes<dim>>;
-
-  HeldMotions(const Point<dim> &center, const double length)
-    : center(center)
-    , length(length)
-  {
-  }
-
-  /** How much holding this component would stop beyond what is held: from 0
-   * to about 1. */
-  Motion
-  unheld_part(const Point<dim> &point, const unsigned int component) const
-  {
-    const auto modes = rigid_modes(point, center, length);
-    Motion motion;
-    for (unsigned int m = 0; m < modes.size(); ++m)
-      motion[m] = modes[m][component];
-    // Twice, since once leaves round-off of the size of what was removed.
-    for (unsigned int repeat = 0; repeat < 2; ++repeat)
-      for (const Motion &held : basis)
-        motion -= (motion * held) * held;
-    return motion;
-  }
-
-  void
-  hold(const Motion &motion)
-  {
-    basis.push_back(motion / motion.norm());
-  }
-
-  bool
-  holds_all() const
-  {
-    return basis.size() == n_rigid_modes<dim>;
-  }
-
-private:
-  const Point<dim> center;
-  const double length;
-  std::vector<Motion> basis;
-};
+  const BoundingBox<dim> box(points);
+  double length = 0;
+  for (unsigned int d = 0; d < dim; ++d)
+    length = std::max(length, box.side_length(d));
+  return {box.center(), length / 2};
+}
 
 
-/** Hold, one by one, the component that stops most, until nothing is left
- * to be stopped. */
+
 template <int dim>
-std::vector<PointComponent>
-hold_greedily(const std::vector<HeldPoint<dim>> &points,
-              HeldMotions<dim> &held_motions)
+HeldMotions<dim>::HeldMotions(const std::vector<Frame> &bodies)
+  : frames(bodies)
 {
-  std::vector<PointComponent> hold;
-  while (!held_motions.holds_all())
+}
+
+
+
+template <int dim>
+void
+HeldMotions<dim>::add_displacement(const unsigned int body,
+                                   const Point<dim> &point,
+                                   const Tensor<1, dim> &direction,
+                                   Form &form) const
+{
+  const auto modes =
+    rigid_modes(point, frames[body].center, frames[body].length);
+  for (unsigned int m = 0; m < modes.size(); ++m)
+    form(body * n_rigid_modes<dim> + m) += modes[m] * direction;
+}
+
+
+
+template <int dim>
+typename HeldMotions<dim>::Form
+HeldMotions<dim>::zero() const
+{
+  return Form(frames.size() * n_rigid_modes<dim>);
+}
+
+
+
+template <int dim>
+typename HeldMotions<dim>::Form
+HeldMotions<dim>::unheld_part(const Form &form) const
+{
+  Form rest = form;
+  // Twice, since once leaves round-off of the size of what was removed.
+  for (unsigned int repeat = 0; repeat < 2; ++repeat)
+    for (const Form &held : basis)
+      rest.add(-(rest * held), held);
+  return rest;
+}
+
+
+
+template <int dim>
+void
+HeldMotions<dim>::hold(const Form &form)
+{
+  Form rest         = unheld_part(form);
+  const double norm = rest.l2_norm();
+  if (norm < is_held_below)
+    return;
+  rest /= norm;
+  basis.push_back(rest);
+}
+
+
+
+template <int dim>
+void
+HeldMotions<dim>::hold(const unsigned int body, const HeldPoint<dim> &point)
+{
+  for (unsigned int c = 0; c < dim && !holds_all(); ++c)
+    if (point.components[c])
+      {
+        Form form = zero();
+        add_displacement(body,
+                         point.position,
+                         Tensor<1, dim>(Point<dim>::unit_vector(c)),
+                         form);
+        hold(form);
+      }
+}
+
+
+
+template <int dim>
+bool
+HeldMotions<dim>::holds_all() const
+{
+  return basis.size() == frames.size() * n_rigid_modes<dim>;
+}
+
+
+
+template <int dim>
+bool
+HeldMotions<dim>::holds(const unsigned int body) const
+{
+  for (unsigned int m = 0; m < n_rigid_modes<dim>; ++m)
     {
-      typename HeldMotions<dim>::Motion best;
+      Form motion                           = zero();
+      motion(body * n_rigid_modes<dim> + m) = 1;
+      if (unheld_part(motion).l2_norm() >= is_held_below)
+        return false;
+    }
+  return true;
+}
+
+
+
+template <int dim>
+std::vector<std::vector<PointComponent>>
+HeldMotions<dim>::hold_all(const std::vector<std::vector<Point<dim>>> &points)
+{
+  std::vector<std::vector<PointComponent>> hold_of_body(frames.size());
+  while (!holds_all())
+    {
+      Form best          = zero();
+      double best_norm   = 0;
+      unsigned int where = 0;
       PointComponent best_component;
-      for (unsigned int p = 0; p < points.size(); ++p)
-        for (unsigned int c = 0; c < dim; ++c)
-          if (points[p].components[c])
+      for (unsigned int body = 0; body < points.size(); ++body)
+        for (unsigned int p = 0; p < points[body].size(); ++p)
+          for (unsigned int c = 0; c < dim; ++c)
             {
-              const auto motion =
-                held_motions.unheld_part(points[p].position, c);
+              Form form = zero();
+              add_displacement(body,
+                               points[body][p],
+                               Tensor<1, dim>(Point<dim>::unit_vector(c)),
+                               form);
+              const double norm = unheld_part(form).l2_norm();
               // A clear winner only, so that round-off does not choose.
-              if (motion.norm() > best.norm() * (1 + 1e-10))
+              if (norm > best_norm * (1 + 1e-10))
                 {
-                  best           = motion;
+                  best           = form;
+                  best_norm      = norm;
+                  where          = body;
                   best_component = {p, c};
                 }
             }
-      if (best.norm() < 1e-8)
+      if (best_norm < is_held_below)
         break;
-      held_motions.hold(best);
-      hold.push_back(best_component);
+      hold(best);
+      hold_of_body[where].push_back(best_component);
     }
-  return hold;
+  return hold_of_body;
 }
-} // namespace
+
 
 
 template <int dim>
@@ -118,20 +196,16 @@ std::vector<PointComponent>
 find_minimal_hold(const std::vector<HeldPoint<dim>> &held,
                   const std::vector<Point<dim>> &candidates)
 {
-  const BoundingBox<dim> box(candidates);
-  double length = 0;
-  for (unsigned int d = 0; d < dim; ++d)
-    length = std::max(length, box.side_length(d));
-  HeldMotions<dim> held_motions(box.center(), length / 2);
-  hold_greedily(held, held_motions);
-  std::vector<HeldPoint<dim>> free;
-  for (const auto &candidate : candidates)
-    free.push_back({candidate, std::bitset<dim>().set()});
-  return hold_greedily(free, held_motions);
+  HeldMotions<dim> motions({HeldMotions<dim>::frame_of(candidates)});
+  for (const auto &point : held)
+    motions.hold(0, point);
+  return motions.hold_all({candidates}).front();
 }
 
 
 
+template class HeldMotions<2>;
+template class HeldMotions<3>;
 template std::array<Tensor<1, 2>, 3>
 rigid_modes(const Point<2> &, const Point<2> &, const double);
 template std::array<Tensor<1, 3>, 6>

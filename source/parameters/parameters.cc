@@ -72,7 +72,9 @@ has_extreme_number(const std::string &value)
 Parameters::Parameters(const std::string &scene_name,
                        const std::vector<SceneEntry> &entries,
                        const Declare &declare)
-  : scene_name(scene_name)
+  : declare_all(declare)
+  , given(entries)
+  , scene_name(scene_name)
 {
   declare(handler);
   for (const SceneEntry &entry : entries)
@@ -220,6 +222,24 @@ Parameters::print(std::ostream &out) const
 {
   handler.print_parameters(
     out, ParameterHandler::Text | ParameterHandler::KeepDeclarationOrder);
+}
+
+
+
+void
+Parameters::print_for(const std::string &directory,
+                      const std::string &subsection,
+                      const std::string &name,
+                      std::ostream &out) const
+{
+  auto entries = given;
+  if (!text(subsection, name).empty())
+    entries.push_back(
+      {subsection,
+       name,
+       std::filesystem::proximate(path(subsection, name), directory).string(),
+       ""});
+  Parameters(scene_name, entries, declare_all).print(out);
 }
 
 

@@ -23,6 +23,7 @@ CutBody<dim>::CutBody(const Scene<dim> &scene,
   rebuild();
   labels.side.assign(mesh.cells.size(), 0);
   labels.piece = find_pieces(mesh);
+  parts        = labels.piece;
 }
 
 
@@ -114,6 +115,51 @@ CutBody<dim>::open()
       if (seams.size() < begun_cuts.size())
         seams.back().set_all_states(Seam<dim>::State::free);
     }
+  parts   = find_pieces(mesh, labels.piece);
+  motions = std::make_unique<PieceMotions<dim>>(mesh, parts, scene.supports);
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::release(const unsigned int row)
+{
+  seam().set_row_state(row,
+                       scene.division.opens ? Seam<dim>::State::opened
+                                            : Seam<dim>::State::free);
+  find_loose_pieces();
+}
+
+
+
+template <int dim>
+AffineConstraints<double>
+CutBody<dim>::constraints_without(const unsigned int row)
+{
+  seam().set_row_state(row, Seam<dim>::State::free);
+  std::size_t n_loose = 0;
+  if (!motions->all_held())
+    for (const auto &group : motions->find_loose(seam().links(parts)))
+      n_loose += group.loose.size();
+  auto result = constraints();
+  seam().set_row_state(row, Seam<dim>::State::tied);
+  if (n_loose > loose_pieces.size())
+    throw std::runtime_error(
+      "Splitting row " + std::to_string(row + 1) +
+      " leaves a part that nothing holds, and there is no telling what energy "
+      "that releases. Hold it in subsection Support, or choose another "
+      "Yield/Criterion.");
+  return result;
+}
+
+
+
+template <int dim>
+bool
+CutBody<dim>::is_left_out(const unsigned int row) const
+{
+  return seam().rows()[row].front.empty();
 }
 
 
@@ -123,13 +169,81 @@ void
 CutBody<dim>::divide()
 {
   seam().set_all_states(Seam<dim>::State::free);
-  labels.piece = find_pieces(mesh, labels.piece);
-  loose_pieces = find_loose_pieces(mesh, labels.piece, scene.supports);
-  for (const auto &loose : loose_pieces)
-    if (scene.supports.drop_loose_pieces())
-      remove_loads_from_piece(labels.piece, loose, *model);
-    else
-      check_loads_on_loose_piece(*model, labels.piece, loose);
+  labels.piece = parts;
+  find_loose_pieces();
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::find_loose_pieces()
+{
+  const auto known    = loose_pieces;
+  const auto is_known = [&](const LoosePiece &piece) {
+    return std::find(known.begin(), known.end(), piece) != known.end();
+  };
+  const bool drops = scene.supports.drop_loose_pieces();
+  bool more        = !motions->all_held();
+  while (more)
+    {
+      const std::size_t n_before = loose_pieces.size();
+      loose_pieces.clear();
+      for (const auto &group : motions->find_loose(seam().links(parts)))
+        {
+          const auto &loose = group.loose;
+          loose_pieces.insert(loose_pieces.end(), loose.begin(), loose.end());
+          if (drops || std::all_of(loose.begin(), loose.end(), is_known))
+            continue;
+          check_loads_on_loose_group(*model, parts, group);
+          check_ties_of_loose_group(group);
+        }
+      // A piece that is left out holds no others, which may be loose now.
+      more = drops && loose_pieces.size() > n_before;
+      if (more)
+        drop(loose_pieces);
+    }
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::drop(const std::vector<LoosePiece> &loose)
+{
+  std::set<unsigned int> numbers;
+  for (const auto &piece : loose)
+    {
+      numbers.insert(piece.piece);
+      remove_loads_from_piece(parts, piece, *model);
+    }
+  seam().leave_out(parts, numbers);
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::check_ties_of_loose_group(const LooseGroup<dim> &group) const
+{
+  for (unsigned int p = 0; p < seam().pairs().size(); ++p)
+    {
+      const auto &pair = seam().pairs()[p];
+      const auto body  = std::find(
+        group.pieces.begin(), group.pieces.end(), parts[pair.element]);
+      if (!pair.is_double() || seam().state(p) != Seam<dim>::State::tied ||
+          body == group.pieces.end())
+        continue;
+      auto form = group.held.zero();
+      group.held.add_displacement(
+        body - group.pieces.begin(), pair.position, cut().edge.direction, form);
+      if (group.held.unheld_part(form).l2_norm() > 1e-6)
+        throw std::runtime_error(
+          "The cut goes on through piece " + std::to_string(*body) +
+          ", which it has severed and which has no support to press it "
+          "against. Hold it in subsection Support, or set Support/Loose pieces "
+          "= drop.");
+    }
 }
 
 
@@ -174,12 +288,14 @@ CutBody<dim>::constraints() const
   for (const auto *part : {&model->hanging, &model->supports})
     constraints.merge(
       *part, AffineConstraints<double>::no_conflicts_allowed, true);
-  for (const auto &loose : loose_pieces)
-    if (scene.supports.drop_loose_pieces())
-      constrain_dropped_piece(discretization, labels.piece, loose, constraints);
-    else
-      constrain_loose_piece(
-        discretization, mesh, labels.piece, loose, constraints);
+  if (scene.supports.drop_loose_pieces())
+    for (const auto &loose : loose_pieces)
+      constrain_dropped_piece(discretization, parts, loose, constraints);
+  else if (!loose_pieces.empty())
+    for (const auto index :
+         unknowns_of_hold(discretization, mesh, parts, loose_pieces))
+      if (constraints.can_store_line(index))
+        constraints.add_line(index);
   for (const auto &seam : seams)
     seam.add_constraints(constraints);
   constraints.close();

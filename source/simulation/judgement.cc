@@ -65,10 +65,7 @@ judge_by_energy(const Scene<dim> &scene,
                 const Response<dim> &base,
                 const Response<dim> *per_load)
 {
-  Seam<dim> &seam = body.seam();
-  seam.set_row_state(row, Seam<dim>::State::free);
-  const auto constraints = body.constraints();
-  seam.set_row_state(row, Seam<dim>::State::tied);
+  const auto constraints = body.constraints_without(row);
   Equilibrium<dim> released(*body.model, constraints, scene.solver);
   const auto release = [&](const Response<dim> &response) -> Release<dim> {
     LA::Vector d = released.solve(

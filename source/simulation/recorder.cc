@@ -47,8 +47,9 @@ Recorder<dim>::Recorder(const Scene<dim> &scene,
   , frames(directory)
 {
   if (is_first_process)
-    directory.write("parameters.prm",
-                    [&](std::ostream &out) { parameters.print(out); });
+    directory.write("parameters.prm", [&](std::ostream &out) {
+      parameters.print_for(directory.path, "Body", "File", out);
+    });
 }
 
 

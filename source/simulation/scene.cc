@@ -65,6 +65,22 @@ Scene<dim>::declare(ParameterHandler &handler)
 
 namespace
 {
+/** The first parameter that a scene gives supports with. */
+std::string
+given_support(const Parameters &parameters)
+{
+  for (const std::string name : {"Fixed faces",
+                                 "Fixed components",
+                                 "Fixed boxes",
+                                 "Fixed nodes",
+                                 "Displacements"})
+    if (!parameters.text("Support", name).empty())
+      return name;
+  return "Fixed faces";
+}
+
+
+
 /** Refuse a body that its supports do not hold. */
 template <int dim>
 void
@@ -79,8 +95,7 @@ check_supports(const Parameters &parameters,
   parameters.require(
     hold.empty(),
     "Support",
-    parameters.is_given("Support", "Fixed nodes") ? "Fixed nodes"
-                                                  : "Fixed faces",
+    given_support(parameters),
     "groups, boxes and nodes that hold the body; with these it is free to move "
     "rigidly in " +
       std::to_string(hold.size()) + (hold.size() == 1 ? " way" : " ways"));

@@ -58,6 +58,11 @@ Simulation<dim>::make_cut(const unsigned int cut)
     open_before_yield();
   for (unsigned int row = 0; row < n_rows; ++row)
     {
+      if (row > 0 && body.is_left_out(row))
+        {
+          ++event.released_rows;
+          continue;
+        }
       deform(row);
       if (!row_yields(row))
         {
@@ -244,10 +249,20 @@ template <int dim>
 void
 Simulation<dim>::release(const unsigned int row)
 {
-  body.seam().set_row_state(row,
-                            scene.division.opens ? Seam<dim>::State::opened
-                                                 : Seam<dim>::State::free);
+  const auto known = body.loose_pieces;
+  body.release(row);
+  say_what_is_loose(known);
   ++event.released_rows;
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::say_what_is_loose(const std::vector<LoosePiece> &known)
+{
+  for (const auto &line : describe_loose_pieces(scene, body, known))
+    recorder.progress.say(line);
 }
 
 
@@ -258,8 +273,7 @@ Simulation<dim>::divide()
 {
   const auto known = body.loose_pieces;
   body.divide();
-  for (const auto &line : describe_loose_pieces(scene, body, known))
-    recorder.progress.say(line);
+  say_what_is_loose(known);
   State<dim> divided =
     solve_state(scene, body, no_blade(body), 0, state.displacement);
   accept(std::move(divided), no_blade(body));

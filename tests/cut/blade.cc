@@ -51,20 +51,40 @@ print_rows(const std::string &elements,
     }
 }
 
-/** The edge in a surface of this area vector and area. */
+/** How many faces an extent leaves of a cut. */
+void
+print_extent(const std::string &direction, const std::string &extent)
+{
+  const Parameters parameters("test",
+                              {{"Body", "Elements", "2,4,4", ""},
+                               {"Support", "Fixed faces", "bottom", ""},
+                               {"Cut", "Surfaces", "y:2", ""},
+                               {"Cut", "Extent", extent, ""},
+                               {"Blade", "Direction", direction, ""}},
+                              Scene<3>::declare);
+  std::cout << extent << " along " << direction << ": "
+            << Scene<3>(parameters).cut.cuts[0].surface.faces.size() << " faces"
+            << std::endl;
+}
+
+/** The edge in a surface whose faces have these area vectors. */
 template <int dim>
 void
-print_edge(const dealii::Tensor<1, dim> &vector,
-           const double area,
+print_edge(const std::vector<dealii::Tensor<1, dim>> &areas,
            const dealii::Tensor<1, dim> &direction)
 {
-  const BladeEdge<dim> edge({vector, area}, direction / direction.norm());
+  const BladeEdge<dim> edge(areas, direction / direction.norm());
+  dealii::Tensor<1, dim> vector;
+  for (const auto &area : areas)
+    vector += area;
   std::cout << "edge in (" << vector << "), on the way (" << direction
             << "): to (";
   for (unsigned int d = 0; d < dim; ++d)
     std::cout << (d == 0 ? "" : " ")
               << (std::abs(edge.direction[d]) < 1e-15 ? 0. : edge.direction[d]);
-  std::cout << "), turned by " << edge.turned_by << " degrees, along "
+  std::cout << "), turned by " << edge.turned_by << " degrees and "
+            << (edge.off_faces < 1e-12 ? 0. : edge.off_faces)
+            << " off the faces, along "
             << "xyz"[edge.axis] << std::endl;
 }
 
@@ -72,15 +92,20 @@ void
 test_edges()
 {
   using T = dealii::Tensor<1, 3>;
-  print_edge<3>(T({0, 4, 0}), 4, T({0, 0, -1}));
-  print_edge<3>(T({0, 4, 0}), 4, T({0, 1, -1}));
-  print_edge<3>(T({0, 4, 0}), 4, T({1, 0, -2}));
-  print_edge<3>(T({3, 0, 0}), 4, T({0, 3, -1}));
-  print_edge<3>(T({1, 1, 0}), 4, T({0, 0, -1}));
-  print_edge<3>(T({1, 2, 0}), 4, T({0, 0, -1}));
+  print_edge<3>({T({0, 4, 0})}, T({0, 0, -1}));
+  print_edge<3>({T({0, 4, 0})}, T({0, 1, -1}));
+  print_edge<3>({T({0, 4, 0})}, T({1, 0, -2}));
+  print_edge<3>({T({0, 4, 0})}, T({0, -1, 0}));
+  print_edge<3>({T({1, 1, 0}), T({2, -1, 0})}, T({0, 3, -1}));
+  print_edge<3>({T({1, 1, 0})}, T({0, 0, -1}));
+  print_edge<3>({T({1, 2, 0})}, T({0, 0, -1}));
   // Closed: nothing to be projected into.
-  print_edge<3>(T({0, 0, 0}), 4, T({0, 1, -1}));
-  print_edge<2>(dealii::Tensor<1, 2>({1, 1}), 2, dealii::Tensor<1, 2>({0, -1}));
+  print_edge<3>({T({1, 0, 0}), T({-1, 0, 0})}, T({0, 1, -1}));
+  // A cup: its areas sum up to that of the bottom, across which it is entered.
+  print_edge<3>(
+    {T({1, 0, 0}), T({-1, 0, 0}), T({0, 1, 0}), T({0, -1, 0}), T({0, 0, 1})},
+    T({0, 0, -1}));
+  print_edge<2>({dealii::Tensor<1, 2>({1, 1})}, dealii::Tensor<1, 2>({0, -1}));
 }
 
 int
@@ -92,6 +117,11 @@ main(int argc, char **argv)
     print_rows("2,2,2", "y:1", "0,0,-1", "element row");
     print_rows("2,2,2", "y:1", "-1,0,0", "element row");
     print_rows("2,2,2", "z:1", "0,1,0", "node row");
+
+    // Depth is measured in the cut, whatever the blade's direction.
+    print_extent("0,0,-1", "all");
+    print_extent("0,0,-1", "depth : 5");
+    print_extent("0,-0.99,-1", "depth : 5");
 
     test_edges();
 

@@ -11,6 +11,7 @@ import tempfile
 
 from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
 
+BODIES = pathlib.Path(__file__).resolve().parents[2] / "prm" / "bodies"
 SCENES = {"scene.prm": scene_text(SCENE)[0], "plane.prm": scene_text(PLANE_SCENE)[0]}
 WINDOWS_SCENE = {"scene.prm": SCENES["scene.prm"].replace("\n", "\r\n")}
 
@@ -36,6 +37,7 @@ CASES = [
     case(0, ["scene.prm", "--validate"], "valid", files=WINDOWS_SCENE),
     # A direction that is not quite along the cut is projected.
     case(0, ["scene.prm", "--validate", "--set", "Blade/Direction=0,0.9,-1"], "valid"),
+    case(0, ["scene.prm", "--validate", "--set", "Blade/Direction=0,1,-1"], "valid"),
     case(0, ["--print-parameters"], "subsection Material", "set Young's modulus"),
     case(0, ["plane.prm", "--print-parameters"], "set Size       = 10, 10\n"),
     case(0, ["--print-parameters", "--set", "Body/Size=7,8,9"], "= 7,8,9"),
@@ -85,6 +87,27 @@ def check_run(program):
     return failures
 
 
+def check_parameters_of_run(program):
+    """parameters.prm in the output is a scene there, also with a body's file."""
+    body = BODIES / "two_materials.prm"
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        options = ["--set", "Output/Frames=none", "--set", "Cut/Surfaces="]
+        run(program, [str(body), "--output", "results/first", *options], directory)
+        scene = "results/first/parameters.prm"
+        valid = run(program, [scene, "--validate"], directory)
+        run(program, [scene, "--output", "second"], directory)
+        tables = [
+            directory / results / "statistics.csv"
+            for results in ("results/first", "second")
+        ]
+        lines = [table.read_text().splitlines() for table in tables if table.exists()]
+    if valid.returncode == 0 and len(lines) == 2 and len(lines[0]) == len(lines[1]):
+        return 0
+    print(f"FAILED: parameters.prm of a run: {valid.stderr.strip()}")
+    return 1
+
+
 if __name__ == "__main__":
     PROGRAM = sys.argv[1]
     FAILURES = run_cases(PROGRAM, CASES)
@@ -94,4 +117,5 @@ if __name__ == "__main__":
     SUPPORT = ["--set", "Support/Fixed faces=bottom"]
     FAILURES += check_printed_parameters(PROGRAM, [], SUPPORT)
     FAILURES += check_run(PROGRAM)
+    FAILURES += check_parameters_of_run(PROGRAM)
     sys.exit(1 if FAILURES else 0)

@@ -16,10 +16,13 @@ struct BladeEdge
 {
   /**
    * The blade's direction is projected into the cut: onto the plane that the
-   * sum of the faces' areas stands on. A closed surface has no such plane and
-   * leaves the direction as it is.
+   * sum of the faces' areas stands on. A surface that is closed, or nearly so
+   * like a cup, has no such plane: where the projection would not bring the
+   * direction nearer to the faces it is left as it is.
+   *
+   * @param areas the area vectors of the faces.
    */
-  BladeEdge(const SurfaceArea<dim> &area,
+  BladeEdge(const std::vector<dealii::Tensor<1, dim>> &areas,
             const dealii::Tensor<1, dim> &direction);
 
   /** How far the blade travels to a point, from wherever. */
@@ -35,6 +38,11 @@ struct BladeEdge
   dealii::Tensor<1, dim> direction;
   /** By which angle the projection turned it [degrees]. */
   double turned_by = 0;
+  /** The angle between it and the faces, whose sine is the mean over their
+   * areas [degrees]. */
+  double off_faces = 0;
+  /** Whether the surface has a plane, along which the edge lies. */
+  bool has_plane = false;
   /** The axis nearest to the edge. */
   unsigned int axis = 0;
 };

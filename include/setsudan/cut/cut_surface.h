@@ -21,8 +21,13 @@ struct CutFace
 template <int dim>
 using CutSurface = std::vector<CutFace<dim>>;
 
-/** The faces of a surface's minus side in space: the sum of their area vectors,
- * and of their areas. The sum of vectors vanishes for a closed surface. */
+/** The area vectors of faces, as their minus sides have them. */
+template <int dim>
+std::vector<dealii::Tensor<1, dim>>
+areas_of_faces(const Body<dim> &body, const CutSurface<dim> &surface);
+
+/** The sums of the faces' area vectors, which vanishes for a closed surface,
+ * and of their areas. */
 template <int dim>
 struct SurfaceArea
 {

@@ -24,6 +24,8 @@ struct NodePair
   PointName name;
   /** An element that has it on the minus side. */
   unsigned int element;
+  /** One that has it on the plus side. */
+  unsigned int plus_element;
   dealii::Point<dim> position;
   /** Unit normal of the cut there, from minus to plus. */
   dealii::Tensor<1, dim> normal;

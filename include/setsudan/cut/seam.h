@@ -1,7 +1,9 @@
 #pragma once
 
 #include <setsudan/cut/rows.h>
+#include <setsudan/elasticity/piece_motions.h>
 
+#include <set>
 #include <vector>
 
 namespace Setsudan
@@ -35,11 +37,27 @@ public:
   State
   state(const unsigned int pair) const;
 
+  /** Pairs that are free stay so. */
   void
   set_row_state(const unsigned int row, const State state);
 
   void
   set_all_states(const State state);
+
+  /**
+   * Let go of all pairs with a node in one of some pieces, which are left out:
+   * they are no part of any front any more, and a front may become empty.
+   *
+   * @param pieces the piece of every element behind the surgery.
+   */
+  void
+  leave_out(const std::vector<unsigned int> &pieces,
+            const std::set<unsigned int> &left_out);
+
+  /** What the pairs let no two pieces do against each other: move at all where
+   * they are tied, along the normal where they are opened. */
+  std::vector<PieceLink<dim>>
+  links(const std::vector<unsigned int> &pieces) const;
 
   /** Number of pairs with a node on each side. */
   unsigned int
@@ -53,9 +71,9 @@ public:
   coupled_indices(const dealii::types::global_dof_index n_unknowns) const;
 
   /**
-   * Add the homogeneous part of what the seam demands. Unknowns that are
-   * constrained already are left alone: a support wins over a tie and over an
-   * opening, and so does a piece that is left out.
+   * Add the homogeneous part of what the seam demands. A support wins over a
+   * tie and over an opening. Where one side is constrained already, because a
+   * loose piece is held there, the other one follows it.
    */
   void
   add_constraints(dealii::AffineConstraints<double> &constraints) const;

@@ -7,41 +7,30 @@
 
 namespace Setsudan
 {
-/** A piece that its supports do not hold, and what would hold it. */
+/** A piece that can move rigidly, and what would hold it. */
 struct LoosePiece
 {
   unsigned int piece;
-  /** Vertices of the mesh and components to hold, one per rigid motion. */
+  /** Vertices of the mesh and components to hold, one per rigid motion. Empty
+   * for a piece that others hold once they are held themselves. */
   std::vector<PointComponent> hold;
+
+  bool
+  operator==(const LoosePiece &other) const
+  {
+    return piece == other.piece && hold == other.hold;
+  }
 };
 
-/** @param pieces the piece of every element (see find_pieces()). */
-template <int dim>
-std::vector<LoosePiece>
-find_loose_pieces(const CoarseMesh<dim> &mesh,
-                  const std::vector<unsigned int> &pieces,
-                  const Supports<dim> &supports);
-
-/**
- * Check that the loads on a loose piece are in equilibrium, so that holding it
- * at a few points puts no force into it.
+/** The unknowns that hold loose pieces, the same on all processes.
  *
- * @throw std::runtime_error where they are not: then nothing keeps the piece.
- */
+ * @param pieces the piece of every element (see find_pieces()). */
 template <int dim>
-void
-check_loads_on_loose_piece(const ElasticModel<dim> &model,
-                           const std::vector<unsigned int> &pieces,
-                           const LoosePiece &loose);
-
-/** Constrain the unknowns that hold a loose piece. */
-template <int dim>
-void
-constrain_loose_piece(const Discretization<dim> &discretization,
-                      const CoarseMesh<dim> &mesh,
-                      const std::vector<unsigned int> &pieces,
-                      const LoosePiece &loose,
-                      dealii::AffineConstraints<double> &constraints);
+std::vector<dealii::types::global_dof_index>
+unknowns_of_hold(const Discretization<dim> &discretization,
+                 const CoarseMesh<dim> &mesh,
+                 const std::vector<unsigned int> &pieces,
+                 const std::vector<LoosePiece> &loose);
 
 /** Constrain all unknowns of a piece that is left out: it stays at rest. */
 template <int dim>

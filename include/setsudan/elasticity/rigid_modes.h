@@ -2,6 +2,7 @@
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/lac/vector.h>
 
 #include <setsudan/body/supports.h>
 
@@ -29,6 +30,77 @@ rigid_modes(const dealii::Point<dim> &point,
 
 /** One displacement component of one of a list of points. */
 using PointComponent = std::pair<unsigned int, unsigned int>;
+
+/**
+ * What is held of the rigid motions of several bodies. A constraint is a
+ * linear form in all of these motions; the forms that hold span a space, of
+ * which an orthonormal basis grows here.
+ */
+template <int dim>
+class HeldMotions
+{
+public:
+  /** A linear form: its value in every rigid motion, body by body. */
+  using Form = dealii::Vector<double>;
+
+  /** The point that the motions of a body turn about, and half its size, which
+   * makes them all of order one. */
+  struct Frame
+  {
+    dealii::Point<dim> center;
+    double length;
+  };
+
+  static Frame
+  frame_of(const std::vector<dealii::Point<dim>> &points);
+
+  explicit HeldMotions(const std::vector<Frame> &bodies);
+
+  /** Add the displacement of a point of a body along `direction` to a form (see
+   * zero()). A force does this as work, with its length. */
+  void
+  add_displacement(const unsigned int body,
+                   const dealii::Point<dim> &point,
+                   const dealii::Tensor<1, dim> &direction,
+                   Form &form) const;
+
+  Form
+  zero() const;
+
+  /** What is left of a form where all that is held does not move: for a
+   * displacement of length one, from 0 to about 1. */
+  Form
+  unheld_part(const Form &form) const;
+
+  /** Hold a form, unless it is held already. */
+  void
+  hold(const Form &form);
+
+  /** Hold what a support does of a point. */
+  void
+  hold(const unsigned int body, const HeldPoint<dim> &point);
+
+  bool
+  holds_all() const;
+
+  /** Whether a body has no motion left. */
+  bool
+  holds(const unsigned int body) const;
+
+  /**
+   * Hold displacement components of points, as few as stop all motions: one by
+   * one the component that stops most.
+   *
+   * @param points candidates, for each body.
+   * @return for each body what is held of its points.
+   */
+  std::vector<std::vector<PointComponent>>
+  hold_all(const std::vector<std::vector<dealii::Point<dim>>> &points);
+
+private:
+  const std::vector<Frame> frames;
+  std::vector<Form> basis;
+};
 
 /**
  * A smallest set of displacement components of `candidates` that, held fixed,

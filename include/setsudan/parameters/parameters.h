@@ -84,11 +84,21 @@ public:
   void
   print(std::ostream &out) const;
 
+  /** The same, as a scene file in another directory: there the file that a
+   * parameter names, if it does, is relative to that one. */
+  void
+  print_for(const std::string &directory,
+            const std::string &subsection,
+            const std::string &name,
+            std::ostream &out) const;
+
 private:
   void
   set(const SceneEntry &entry);
 
+  const Declare declare_all;
   dealii::ParameterHandler handler;
+  std::vector<SceneEntry> given;
   std::map<std::pair<std::string, std::string>, std::string> locations;
   std::string scene_name;
 };

@@ -3,7 +3,7 @@
 #include <setsudan/cut/row_areas.h>
 #include <setsudan/cut/seam.h>
 #include <setsudan/elasticity/elastic_model.h>
-#include <setsudan/elasticity/loose_pieces.h>
+#include <setsudan/elasticity/piece_motions.h>
 #include <setsudan/output/frames.h>
 #include <setsudan/simulation/scene.h>
 
@@ -41,7 +41,19 @@ public:
   void
   open();
 
-  /** Let go of the newest seam, find the pieces, and hold or drop those that
+  /** Split a row of the newest cut. Parts that nothing holds any more, though
+   * the cut goes on, are held or dropped.
+   *
+   * @throw std::runtime_error where a lost part's loads are not balanced, or
+   * where the rest of the cut goes through parts that nothing holds. */
+  void
+  release(const unsigned int row);
+
+  /** Whether the front of a row lies on parts that have all been dropped. */
+  bool
+  is_left_out(const unsigned int row) const;
+
+  /** Let go of the newest seam, name the pieces, and hold or drop those that
    * have lost their support.
    *
    * @throw std::runtime_error where a lost piece's loads are not balanced. */
@@ -61,6 +73,12 @@ public:
   /** Supports, hanging nodes, the seams and what holds loose pieces; closed. */
   dealii::AffineConstraints<double>
   constraints() const;
+
+  /** The constraints if the ties of one row were taken off.
+   *
+   * @throw std::runtime_error where that leaves a part which nothing holds. */
+  dealii::AffineConstraints<double>
+  constraints_without(const unsigned int row);
 
   unsigned int
   n_pieces() const;
@@ -85,6 +103,17 @@ public:
   ElementLabels labels;
 
 private:
+  /** Find the pieces that are loose now, and hold or drop them. */
+  void
+  find_loose_pieces();
+
+  void
+  drop(const std::vector<LoosePiece> &loose);
+
+  /** Refuse to go on where the blade presses on a loose group. */
+  void
+  check_ties_of_loose_group(const LooseGroup<dim> &group) const;
+
   /** A cut that has been begun, and the faces that it opens. */
   struct BegunCut
   {
@@ -105,5 +134,8 @@ private:
   std::vector<BegunCut> begun_cuts;
   /** The mesh behind the newest cut's surgery, before it is made. */
   CoarseMesh<dim> split;
+  /** What the pieces will be when the newest cut has gone through. */
+  std::vector<unsigned int> parts;
+  std::unique_ptr<PieceMotions<dim>> motions;
 };
 } // namespace Setsudan

@@ -64,6 +64,10 @@ private:
   void
   divide();
 
+  /** Name the pieces that are loose now, besides those `known` before. */
+  void
+  say_what_is_loose(const std::vector<LoosePiece> &known);
+
   /** Take a solved state, and check what must hold from the last to it. */
   void
   accept(State<dim> &&new_state, const BladeLoad<dim> &blade);
