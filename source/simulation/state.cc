@@ -82,6 +82,17 @@ blade_on_row(const CutBody<dim> &body, const unsigned int row)
 
 template <int dim>
 LA::Vector
+prescribed_displacement(const CutBody<dim> &body, const State<dim> &state)
+{
+  LA::Vector displacement = body.model->prescribed;
+  displacement += state.opening;
+  return displacement;
+}
+
+
+
+template <int dim>
+LA::Vector
 internal_forces_of(CutBody<dim> &body, const LA::Vector &displacement)
 {
   return internal_forces(body.model->discretization,
@@ -115,16 +126,6 @@ unloaded_state(const Scene<dim> &scene, const CutBody<dim> &body)
   return state;
 }
 
-/** What the supports and the opening of the cut prescribe. */
-template <int dim>
-LA::Vector
-prescribed(const CutBody<dim> &body, const State<dim> &state)
-{
-  LA::Vector displacement = body.model->prescribed;
-  displacement += state.opening;
-  return displacement;
-}
-
 template <int dim>
 FrontStresses
 front_stresses_of(const CutBody<dim> &body,
@@ -152,8 +153,9 @@ solve_state(const Scene<dim> &scene,
   State<dim> state       = unloaded_state(scene, body);
   state.load_factor      = load_factor;
   state.forces.add(load_factor, blade.nodal_forces);
-  state.displacement = Equilibrium<dim>(*body.model, constraints, scene.solver)
-                         .solve(state.forces, prescribed(body, state), guess);
+  state.displacement =
+    Equilibrium<dim>(*body.model, constraints, scene.solver)
+      .solve(state.forces, prescribed_displacement(body, state), guess);
   state.internal = internal_forces_of(body, state.displacement);
   return state;
 }
@@ -172,7 +174,7 @@ solve_ramp(const Scene<dim> &scene,
   State<dim> state       = unloaded_state(scene, body);
 
   Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
-  const LA::Vector held     = prescribed(body, state);
+  const LA::Vector held     = prescribed_displacement(body, state);
   const LA::Vector base     = equilibrium.solve(state.forces, held, held);
   const LA::Vector per_load = equilibrium.solve(blade.nodal_forces, zero, zero);
   const YieldLoad load = find_yield_load(front_stresses_of(body, row, base),
@@ -214,6 +216,8 @@ no_blade(const CutBody<2> &);
 template BladeLoad<2>
 blade_on_row(const CutBody<2> &, const unsigned int);
 template LA::Vector
+prescribed_displacement(const CutBody<2> &, const State<2> &);
+template LA::Vector
 internal_forces_of(CutBody<2> &, const LA::Vector &);
 template State<2>
 rest_state(const CutBody<2> &);
@@ -234,6 +238,8 @@ template BladeLoad<3>
 no_blade(const CutBody<3> &);
 template BladeLoad<3>
 blade_on_row(const CutBody<3> &, const unsigned int);
+template LA::Vector
+prescribed_displacement(const CutBody<3> &, const State<3> &);
 template LA::Vector
 internal_forces_of(CutBody<3> &, const LA::Vector &);
 template State<3>

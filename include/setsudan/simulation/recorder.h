@@ -56,6 +56,11 @@ public:
   Progress progress;
 
 private:
+  void
+  write_deck(const CutBody<dim> &body,
+             const State<dim> &state,
+             const std::string &name) const;
+
   const Scene<dim> &scene;
   const OutputDirectory directory;
   const bool is_first_process;

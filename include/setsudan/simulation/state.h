@@ -45,6 +45,11 @@ struct State
   bool yields = false;
 };
 
+/** What the supports and the opening of the cut prescribe. */
+template <int dim>
+LA::Vector
+prescribed_displacement(const CutBody<dim> &body, const State<dim> &state);
+
 /** K u of a displacement without ghosts. */
 template <int dim>
 LA::Vector
