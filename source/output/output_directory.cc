@@ -40,6 +40,14 @@ OutputParameters::declare(ParameterHandler &handler)
                     "Write every solved state as a table of its nodes too.");
   Setsudan::declare(handler,
                     "Output",
+                    "CalculiX decks",
+                    "false",
+                    Patterns::Bool(),
+                    "Write every solved state as an input deck of CalculiX "
+                    "too, which solves it again, and its displacements as a "
+                    "table with the deck's numbers of nodes.");
+  Setsudan::declare(handler,
+                    "Output",
                     "Piece shape",
                     "rest",
                     Patterns::Selection("rest|deformed"),
@@ -53,6 +61,7 @@ OutputParameters::declare(ParameterHandler &handler)
 OutputParameters::OutputParameters(const Parameters &parameters)
   : directory(parameters.text("Output", "Directory"))
   , node_tables(parameters.truth("Output", "Node tables"))
+  , calculix_decks(parameters.truth("Output", "CalculiX decks"))
   , pieces_deformed(parameters.text("Output", "Piece shape") == "deformed")
 {
   const std::string name = parameters.text("Output", "Frames");
@@ -75,7 +84,7 @@ std::string
 prepare_directory(const fs::path &path)
 {
   const std::regex results(
-    R"(parameters\.prm|cut\.pvd|statistics\.csv|nodes_\d+\.csv|)"
+    R"(parameters\.prm|cut\.pvd|statistics\.csv|nodes_\d+\.csv|stage_\d+\.(inp|csv)|)"
     R"(frame_\d+(\.\d+)?\.p?vtu|piece_\d+\.(msh|vtu)|\.writing-.*)");
   try
     {

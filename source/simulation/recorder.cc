@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/body/geometry.h>
+#include <setsudan/output/calculix_deck.h>
 #include <setsudan/output/node_table.h>
 #include <setsudan/output/piece_mesh.h>
 #include <setsudan/parameters/lists.h>
@@ -91,6 +92,9 @@ Recorder<dim>::write_state(const CutBody<dim> &body,
   using Frames      = OutputParameters::Frames;
   const bool framed = scene.output.frames == Frames::every_row ||
                       (scene.output.frames == Frames::stages && is_stage);
+  // The body at rest is none that has been solved for.
+  if (scene.output.calculix_decks && frame > 0)
+    write_deck(body, state, "stage_" + Utilities::to_string(frame, 4));
   if (!framed && !scene.output.node_tables)
     return;
   const LA::Vector displacement =
@@ -108,6 +112,27 @@ Recorder<dim>::write_state(const CutBody<dim> &body,
                      displacement,
                      directory,
                      "nodes_" + Utilities::to_string(frame, 4) + ".csv");
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::write_deck(const CutBody<dim> &body,
+                          const State<dim> &state,
+                          const std::string &name) const
+{
+  const auto constraints = body.constraints();
+  const auto prescribed  = prescribed_displacement(body, state);
+  const auto problem     = gather_problem<dim>({body.mesh,
+                                                *body.model,
+                                                constraints,
+                                                prescribed,
+                                                state.forces,
+                                                state.displacement},
+                                           scene.body);
+  if (is_first_process)
+    write_calculix_deck(problem, directory, name);
 }
 
 

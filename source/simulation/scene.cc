@@ -131,6 +131,13 @@ Scene<dim>::Scene(const Parameters &parameters)
   , output(parameters)
 {
   check_supports(parameters, body, supports);
+  parameters.require(
+    !(output.calculix_decks && material.any_is_mixed()),
+    "Output",
+    "CalculiX decks",
+    "false with the mixed formulation, whose elements CalculiX "
+    "does not have (Material/Formulation = displacement has "
+    "its C3D20)");
 }
 
 

@@ -93,6 +93,17 @@ rest_state(const CutBody<dim> &body)
 
 
 
+template <int dim>
+LA::Vector
+prescribed_displacement(const CutBody<dim> &body, const State<dim> &state)
+{
+  LA::Vector displacement = body.model->prescribed;
+  displacement += state.opening;
+  return displacement;
+}
+
+
+
 namespace
 {
 /** The state in so far as it is known before it is solved. */
@@ -107,15 +118,6 @@ unloaded_state(const Scene<dim> &scene, const CutBody<dim> &body)
   return state;
 }
 
-/** What the supports and the opening of the cut prescribe. */
-template <int dim>
-LA::Vector
-prescribed(const CutBody<dim> &body, const State<dim> &state)
-{
-  LA::Vector displacement = body.model->prescribed;
-  displacement += state.opening;
-  return displacement;
-}
 } // namespace
 
 
@@ -133,8 +135,8 @@ solve_state(const Scene<dim> &scene,
   state.load_factor      = load_factor;
   state.forces.add(load_factor, blade.nodal_forces);
   Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
-  state.displacement =
-    equilibrium.solve(state.forces, prescribed(body, state), guess);
+  state.displacement = equilibrium.solve(
+    state.forces, prescribed_displacement(body, state), guess);
   state.residual = equilibrium.relative_residual();
   state.internal = body.internal_forces(state.displacement);
   return state;
@@ -154,7 +156,7 @@ solve_ramp(const Scene<dim> &scene,
   State<dim> state       = unloaded_state(scene, body);
 
   Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
-  const LA::Vector held = prescribed(body, state);
+  const LA::Vector held = prescribed_displacement(body, state);
   const Response<dim> base{
     equilibrium.solve(state.forces, held, held), state.forces, held};
   const Response<dim> per_load{
@@ -186,7 +188,7 @@ judge(const Scene<dim> &scene,
       State<dim> &state)
 {
   const Response<dim> response{
-    state.displacement, state.forces, prescribed(body, state)};
+    state.displacement, state.forces, prescribed_displacement(body, state)};
   state.stress = judge_row<dim>(scene, body, row, response, nullptr)(0);
   state.yields = state.stress.yields();
 }
@@ -197,6 +199,8 @@ template BladeLoad<2>
 no_blade(const CutBody<2> &);
 template BladeLoad<2>
 blade_on_row(const CutBody<2> &, const unsigned int);
+template LA::Vector
+prescribed_displacement(const CutBody<2> &, const State<2> &);
 template State<2>
 rest_state(const CutBody<2> &);
 template State<2>
@@ -216,6 +220,8 @@ template BladeLoad<3>
 no_blade(const CutBody<3> &);
 template BladeLoad<3>
 blade_on_row(const CutBody<3> &, const unsigned int);
+template LA::Vector
+prescribed_displacement(const CutBody<3> &, const State<3> &);
 template State<3>
 rest_state(const CutBody<3> &);
 template State<3>

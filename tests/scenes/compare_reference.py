@@ -3,12 +3,11 @@
 stage: displacements to 1e-6 of the largest, maximum shear, cutting stress and
 strain energy to 1e-6 relative."""
 
-import argparse
 import pathlib
-import subprocess
 import sys
 import tempfile
 
+import program
 import tables
 
 TOLERANCE = 1e-6
@@ -45,20 +44,13 @@ def compare_stage(directory, line, reference, stage, summary):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
+    parser = program.parser(__doc__)
     parser.add_argument("--reference", required=True)
-    parser.add_argument("--processes", type=int, default=1)
-    parser.add_argument("--mpiexec", default="mpirun")
     options = parser.parse_args()
 
     scene = pathlib.Path(__file__).parent / f"{options.reference}.prm"
-    command = [options.program, str(scene)]
-    if options.processes > 1:
-        command = [options.mpiexec, "-np", str(options.processes)] + command
     with tempfile.TemporaryDirectory() as directory:
-        subprocess.run(command + ["--output", directory], check=True,
-                       stdout=subprocess.DEVNULL)
+        program.run(options, scene, directory)
         directory = pathlib.Path(directory)
         states = [line for line in tables.read(directory / "statistics.csv")
                   if line["event"] in ("deform", "divide")]

@@ -8,12 +8,11 @@ the estimated error of the unrefined body, and refinement near the cut must diff
 from refinement everywhere by a given part of it at most.
 """
 
-import argparse
 import pathlib
-import subprocess
 import sys
 import tempfile
 
+import program
 import tables
 
 LARGEST_PART = 0.05
@@ -23,15 +22,8 @@ def run(options, settings):
     """The displacements of the body's own nodes, by depth of the front, number
     and side."""
     with tempfile.TemporaryDirectory() as directory:
-        command = [options.program, options.scene, "--output", directory,
-                   "--set", "Output/Node tables=true", "--set", "Output/Frames=none"]
-        for setting in settings:
-            command += ["--set", setting]
-        if options.processes > 1:
-            command = [options.mpiexec, "-np", str(options.processes)] + command
-        result = subprocess.run(command, capture_output=True, text=True)
-        if result.returncode != 0:
-            sys.exit(result.stderr)
+        program.run(options, options.scene, directory,
+                    ("Output/Node tables=true", *program.QUIET, *settings))
         states = {}
         for line in tables.read(pathlib.Path(directory) / "statistics.csv"):
             if line["event"] == "deform":
@@ -48,11 +40,8 @@ def difference(state, other, nodes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
+    parser = program.parser(__doc__)
     parser.add_argument("--scene", required=True)
-    parser.add_argument("--processes", type=int, default=1)
-    parser.add_argument("--mpiexec", default="mpirun")
     options = parser.parse_args()
 
     near = "Cut/Refinement near cut="

@@ -7,13 +7,12 @@ texts must be the same; residuals must be small; the time is not compared. With
 --update the expected table is written instead.
 """
 
-import argparse
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 
+import program
 import tables
 
 LARGEST_RESIDUAL = 1e-8
@@ -24,16 +23,6 @@ VECTORS = (
 )
 TEXT = ("event", "row_pieces")
 NOT_COMPARED = ("seconds",) + RESIDUALS
-
-
-def run(program, scene, processes, directory, mpiexec):
-    command = [program, scene, "--output", directory]
-    if processes > 1:
-        command = [mpiexec, "-np", str(processes)] + command
-    result = subprocess.run(command, capture_output=True, text=True)
-    if result.returncode != 0:
-        sys.exit(f"exit status {result.returncode}\n{result.stderr}")
-    return tables.read(pathlib.Path(directory) / "statistics.csv")
 
 
 def column_errors(lines, expected, tolerance):
@@ -63,19 +52,16 @@ def residual_errors(lines):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
+    parser = program.parser(__doc__)
     parser.add_argument("--scene", required=True)
     parser.add_argument("--expected", required=True)
-    parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--tolerance", type=float, default=1e-8)
-    parser.add_argument("--mpiexec", default="mpirun")
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
 
     with tempfile.TemporaryDirectory() as directory:
-        lines = run(options.program, options.scene, options.processes,
-                    directory, options.mpiexec)
+        program.run(options, options.scene, directory)
+        lines = tables.read(pathlib.Path(directory) / "statistics.csv")
         if options.update:
             written = pathlib.Path(directory) / "statistics.csv"
             pathlib.Path(options.expected).write_text(written.read_text())

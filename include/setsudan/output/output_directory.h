@@ -21,6 +21,7 @@ struct OutputParameters
   std::string directory;
   Frames frames;
   bool node_tables;
+  bool calculix_decks;
   /** Whether the pieces have the shape of the last state, or that at rest. */
   bool pieces_deformed;
 

@@ -63,6 +63,11 @@ private:
   dealii::Vector<double>
   error_squares_of(const CutBody<dim> &body, const State<dim> &state) const;
 
+  void
+  write_deck(const CutBody<dim> &body,
+             const State<dim> &state,
+             const std::string &name) const;
+
   const Scene<dim> &scene;
   const OutputDirectory directory;
   const bool is_first_process;

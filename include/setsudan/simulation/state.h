@@ -54,6 +54,11 @@ struct State
   dealii::Vector<double> error_squares = {};
 };
 
+/** What the supports and the opening of the cut prescribe. */
+template <int dim>
+LA::Vector
+prescribed_displacement(const CutBody<dim> &body, const State<dim> &state);
+
 /** The undeformed body, on the present mesh. */
 template <int dim>
 State<dim>
