@@ -11,7 +11,8 @@ BodyBalance<dim>
 check_balance(const ElasticModel<dim> &model,
               const LA::Vector &internal,
               const LA::Vector &applied,
-              const std::vector<PointForce<dim>> &blade)
+              const std::vector<PointForce<dim>> &blade,
+              const double wedge)
 {
   const auto &discretization  = model.discretization;
   const MPI_Comm communicator = discretization.communicator;
@@ -41,6 +42,7 @@ check_balance(const ElasticModel<dim> &model,
   if (Utilities::MPI::this_mpi_process(communicator) == 0)
     for (const auto &[point, force] : blade)
       resultant.add(point, force);
+  resultant.add_cancelling(wedge);
   resultant.sum_over_processes();
   static_cast<Balance &>(balance) = resultant.relative();
   balance.reaction    = Utilities::MPI::sum(balance.reaction, communicator);
@@ -54,10 +56,12 @@ template BodyBalance<2>
 check_balance(const ElasticModel<2> &,
               const LA::Vector &,
               const LA::Vector &,
-              const std::vector<PointForce<2>> &);
+              const std::vector<PointForce<2>> &,
+              const double);
 template BodyBalance<3>
 check_balance(const ElasticModel<3> &,
               const LA::Vector &,
               const LA::Vector &,
-              const std::vector<PointForce<3>> &);
+              const std::vector<PointForce<3>> &,
+              const double);
 } // namespace Setsudan

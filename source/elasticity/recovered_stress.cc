@@ -1,8 +1,10 @@
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_dgq.h>
-#include <deal.II/lac/full_matrix.h>
 
+#include <setsudan/elasticity/patch_fit.h>
 #include <setsudan/elasticity/recovered_stress.h>
+
+#include <map>
+#include <set>
 
 namespace Setsudan
 {
@@ -24,19 +26,162 @@ components()
 
 
 
-/** Row i has the weights of the Gauss points' values at the i-th node: those of
- * the multilinear function through them. */
+/** What is needed of a cell: its nodes, and the stress where it is accurate. */
 template <int dim>
-FullMatrix<double>
-extrapolation()
+struct Sampled
 {
-  const FE_DGQArbitraryNodes<dim> functions(QGauss<1>(2));
-  FullMatrix<double> weights(n_element_nodes<dim>, functions.n_dofs_per_cell());
-  for (unsigned int node = 0; node < weights.m(); ++node)
-    for (unsigned int g = 0; g < weights.n(); ++g)
-      weights(node, g) =
-        functions.shape_value(g, unit_point_of_node<dim>(node));
-  return weights;
+  std::array<typename Discretization<dim>::NodeIndices, n_element_nodes<dim>>
+    indices;
+  ElementNodes<dim> positions;
+  std::vector<Point<dim>> points;
+  std::vector<SymmetricTensor<2, 3>> stresses;
+};
+
+
+
+/** The cells of a material that this process knows. */
+template <int dim>
+std::vector<Sampled<dim>>
+sample_cells(const ElasticModel<dim> &model,
+             const unsigned int material,
+             const LA::Vector &displacement)
+{
+  const auto &discretization = model.discretization;
+  StrainRecovery<dim> recovery(
+    discretization, model.materials, QGauss<dim>(2), update_quadrature_points);
+  std::vector<Sampled<dim>> cells;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (!cell->is_artificial() &&
+        model.materials.number(discretization.element(cell)) == material)
+      {
+        recovery.reinit(cell, displacement);
+        cells.push_back({discretization.node_indices(cell),
+                         discretization.node_positions(cell),
+                         recovery.values().get_quadrature_points(),
+                         stresses_of_cell<dim>(cell, recovery, nullptr)});
+      }
+  return cells;
+}
+
+
+
+/** Values at nodes from several patches, of which the best ones count. */
+template <int dim, std::size_t n_vectors>
+class NodeMeans
+{
+public:
+  /** The node's own patch or one beside it; complete, or with monomials left
+   * out. */
+  enum Quality
+  {
+    own_complete,
+    complete,
+    own,
+    any,
+    n_qualities
+  };
+
+  explicit NodeMeans(const Discretization<dim> &discretization)
+    : discretization(discretization)
+  {
+    for (auto &level : levels)
+      {
+        for (auto &sum : level.sums)
+          sum = discretization.zero_vector();
+        level.counts = discretization.zero_vector();
+      }
+  }
+
+  void
+  add(const Quality quality,
+      const typename Discretization<dim>::NodeIndices &node,
+      const SymmetricTensor<2, 3> &stress)
+  {
+    static const auto kept = components<dim>();
+    for (unsigned int k = 0; k < kept.size(); ++k)
+      levels[quality].sums[k / dim](node[k % dim]) += stress[kept[k]];
+    for (const auto index : node)
+      levels[quality].counts(index) += 1;
+  }
+
+  std::array<LA::Vector, n_vectors>
+  finish()
+  {
+    std::array<LA::Vector, n_vectors> means;
+    for (auto &level : levels)
+      {
+        for (auto &sum : level.sums)
+          sum.compress(VectorOperation::add);
+        level.counts.compress(VectorOperation::add);
+      }
+    for (unsigned int v = 0; v < n_vectors; ++v)
+      {
+        means[v] = discretization.zero_vector();
+        for (const auto index : discretization.owned)
+          for (const auto &level : levels)
+            if (level.counts(index) > 0)
+              {
+                means[v](index) = level.sums[v](index) / level.counts(index);
+                break;
+              }
+        means[v].compress(VectorOperation::insert);
+      }
+    return means;
+  }
+
+private:
+  struct Level
+  {
+    std::array<LA::Vector, n_vectors> sums;
+    LA::Vector counts;
+  };
+
+  const Discretization<dim> &discretization;
+  std::array<Level, n_qualities> levels;
+};
+
+
+
+/** Fit the stress around one vertex, and hand it to the nodes there. */
+template <int dim, std::size_t n_vectors>
+void
+fit_patch(const std::vector<Sampled<dim>> &cells,
+          const std::vector<std::pair<unsigned int, unsigned int>> &patch,
+          NodeMeans<dim, n_vectors> &means)
+{
+  using Means = NodeMeans<dim, n_vectors>;
+  std::vector<Point<dim>> points;
+  double size           = 0;
+  const auto &[c0, v0]  = patch.front();
+  const Point<dim> here = cells[c0].positions[v0];
+  for (const auto &[c, vertex] : patch)
+    for (const auto &point : cells[c].points)
+      {
+        points.push_back(point);
+        size = std::max(size, point.distance(here));
+      }
+  const PatchFit<dim> fit(points, here, size);
+
+  std::set<types::global_dof_index> done;
+  for (const auto &[c, vertex] : patch)
+    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+      {
+        if (!done.insert(cells[c].indices[node][0]).second)
+          continue;
+        const auto ends    = vertices_of_node<dim>(node);
+        const bool is_own  = ends[0] == vertex || ends[1] == vertex;
+        const auto weights = fit.weights_at(cells[c].positions[node]);
+        SymmetricTensor<2, 3> stress;
+        auto weight = weights.begin();
+        for (const auto &[other, of_other] : patch)
+          for (const auto &sample : cells[other].stresses)
+            stress += *weight++ * sample;
+        means.add(fit.is_complete()
+                    ? (is_own ? Means::own_complete : Means::complete)
+                    : (is_own ? Means::own : Means::any),
+                  cells[c].indices[node],
+                  stress);
+      }
 }
 } // namespace
 
@@ -45,55 +190,40 @@ template <int dim>
 RecoveredStress<dim>::RecoveredStress(const ElasticModel<dim> &model,
                                       const LA::Vector &displacement)
   : model(model)
-  , fields(model.materials.n_materials())
 {
-  for (unsigned int material = 0; material < fields.size(); ++material)
-    add_cells_of_material(material, displacement);
+  for (unsigned int m = 0; m < model.materials.n_materials(); ++m)
+    fields.push_back(recover(m, displacement));
 }
 
 
 
 template <int dim>
-void
-RecoveredStress<dim>::add_cells_of_material(const unsigned int material,
-                                            const LA::Vector &displacement)
+typename RecoveredStress<dim>::Field
+RecoveredStress<dim>::recover(const unsigned int material,
+                              const LA::Vector &displacement) const
 {
-  static const auto kept     = components<dim>();
-  static const auto weights  = extrapolation<dim>();
   const auto &discretization = model.discretization;
-  // In the lexicographic order of the functions of extrapolation().
-  StrainRecovery<dim> recovery(discretization, model.materials, QGauss<dim>(2));
-  std::array<LA::Vector, n_vectors> sums = {
-    {discretization.zero_vector(), discretization.zero_vector()}};
-  LA::Vector n_cells = discretization.zero_vector();
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned() &&
-        model.materials.number(discretization.element(cell)) == material)
-      {
-        recovery.reinit(cell, displacement);
-        const auto nodes = discretization.node_indices(cell);
-        for (unsigned int node = 0; node < nodes.size(); ++node)
-          {
-            SymmetricTensor<2, 3> stress;
-            for (unsigned int g = 0; g < recovery.n_points(); ++g)
-              stress += weights(node, g) * recovery.stress(g);
-            for (unsigned int k = 0; k < kept.size(); ++k)
-              sums[k / dim](nodes[node][k % dim]) += stress[kept[k]];
-            for (unsigned int c = 0; c < dim; ++c)
-              n_cells(nodes[node][c]) += 1;
-          }
-      }
-  n_cells.compress(VectorOperation::add);
-  for (unsigned int v = 0; v < n_vectors; ++v)
+  const auto cells           = sample_cells(model, material, displacement);
+  // Cells and their vertices, by the unknown of the vertex: the two sides of a
+  // cut have different ones.
+  std::map<types::global_dof_index,
+           std::vector<std::pair<unsigned int, unsigned int>>>
+    patches;
+  for (unsigned int c = 0; c < cells.size(); ++c)
+    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+      if (discretization.owned.is_element(cells[c].indices[v][0]))
+        patches[cells[c].indices[v][0]].emplace_back(c, v);
+
+  NodeMeans<dim, n_vectors> means(discretization);
+  for (const auto &[index, patch] : patches)
+    fit_patch(cells, patch, means);
+  Field field = means.finish();
+  for (auto &vector : field)
     {
-      sums[v].compress(VectorOperation::add);
-      for (const auto index : discretization.owned)
-        if (n_cells(index) > 0)
-          sums[v](index) /= n_cells(index);
-      sums[v].compress(VectorOperation::insert);
-      model.hanging.distribute(sums[v]);
-      fields[material][v] = discretization.with_ghosts(sums[v]);
+      model.hanging.distribute(vector);
+      vector = discretization.with_ghosts(vector);
     }
+  return field;
 }
 
 

@@ -38,6 +38,15 @@ Resultant<dim>::add(const Point<dim> &point, const Tensor<1, dim> &force)
 
 template <int dim>
 void
+Resultant<dim>::add_cancelling(const double magnitudes)
+{
+  sums.back() += magnitudes;
+}
+
+
+
+template <int dim>
+void
 Resultant<dim>::sum_over_processes()
 {
   const auto own = sums;

@@ -35,11 +35,15 @@ struct BodyBalance : public Balance
  * @param internal   K u (see internal_forces()).
  * @param applied    all nodal forces: loads and blade.
  * @param blade      the blade's forces as the scene means them.
+ * @param wedge      the magnitudes, on this process, of the forces by which the
+ *   blade's flanks press the two sides of a cut apart: they cancel, and may be
+ *   far larger than all others.
  */
 template <int dim>
 BodyBalance<dim>
 check_balance(const ElasticModel<dim> &model,
               const LA::Vector &internal,
               const LA::Vector &applied,
-              const std::vector<PointForce<dim>> &blade);
+              const std::vector<PointForce<dim>> &blade,
+              const double wedge = 0);
 } // namespace Setsudan

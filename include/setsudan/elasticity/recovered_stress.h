@@ -10,15 +10,15 @@ namespace Setsudan
 {
 /**
  * A continuous stress field that is nearer to the exact one than the elements'
- * own: the stress at the 2^dim Gauss points of each cell, where it is most
- * accurate, is extrapolated to the cell's nodes, averaged there over the cells
- * of one material that meet, and interpolated by the shape functions (Hinton
- * and Campbell 1974, International Journal for Numerical Methods in Engineering
- * 8, 461-480; as an estimate of the error Zienkiewicz and Zhu 1987, ibid. 24,
- * 337-357).
+ * own. Around each vertex the stress at the 2^dim Gauss points of the cells
+ * that meet there, where it is most accurate, is fitted by a quadratic
+ * polynomial; its values at the nodes are interpolated by the shape functions
+ * (Zienkiewicz and Zhu 1992, International Journal for Numerical Methods in
+ * Engineering 33, 1331-1364).
  *
- * The two sides of a cut are averaged each for itself. Components are held in
- * vectors of the displacement's kind, dim in each.
+ * Only cells of one material are put together, and the two sides of a cut are
+ * two fields. Components are held in vectors of the displacement's kind, dim in
+ * each.
  */
 template <int dim>
 class RecoveredStress
@@ -37,14 +37,14 @@ public:
 private:
   /** Vectors that are needed for 6 components in space, 4 in the plane. */
   static constexpr unsigned int n_vectors = 2;
+  using Field                             = std::array<LA::Vector, n_vectors>;
 
-  void
-  add_cells_of_material(const unsigned int material,
-                        const LA::Vector &displacement);
+  Field
+  recover(const unsigned int material, const LA::Vector &displacement) const;
 
   const ElasticModel<dim> &model;
   /** With ghosts, for each material. */
-  std::vector<std::array<LA::Vector, n_vectors>> fields;
+  std::vector<Field> fields;
 };
 
 /** The stress at all points of a cell that `recovery` was set to: the recovered

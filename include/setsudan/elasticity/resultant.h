@@ -24,6 +24,10 @@ public:
   void
   add(const dealii::Point<dim> &point, const dealii::Tensor<1, dim> &force);
 
+  /** Add the magnitudes of forces that are known to cancel. */
+  void
+  add_cancelling(const double magnitudes);
+
   /** Add what all processes have added; called once, by all of them. */
   void
   sum_over_processes();
