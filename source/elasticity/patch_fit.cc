@@ -13,7 +13,7 @@ namespace
 constexpr double least_new_part = 1e-2;
 
 template <int dim>
-constexpr unsigned int n_monomials = (dim + 1) * (dim + 2) / 2;
+constexpr unsigned int n_monomials = dim == 2 ? 10 : 20;
 
 
 double
@@ -75,10 +75,10 @@ PatchFit<dim>::add(const unsigned int monomial, std::vector<double> at_samples)
 
 
 template <int dim>
-bool
-PatchFit<dim>::is_complete() const
+unsigned int
+PatchFit<dim>::n_functions() const
 {
-  return functions.size() == n_monomials<dim>;
+  return functions.size();
 }
 
 
@@ -116,6 +116,10 @@ PatchFit<dim>::monomials_at(const Point<dim> &point) const
   for (unsigned int a = 0; a < dim; ++a)
     for (unsigned int b = 0; b <= a; ++b)
       values.push_back(x[a] * x[b]);
+  for (unsigned int a = 0; a < dim; ++a)
+    for (unsigned int b = 0; b <= a; ++b)
+      for (unsigned int c = 0; c <= b; ++c)
+        values.push_back(x[a] * x[b] * x[c]);
   return values;
 }
 

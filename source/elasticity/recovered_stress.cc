@@ -1,3 +1,4 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <setsudan/elasticity/patch_fit.h>
@@ -70,8 +71,8 @@ template <int dim, std::size_t n_vectors>
 class NodeMeans
 {
 public:
-  /** The node's own patch or one beside it; complete, or with monomials left
-   * out. */
+  /** The node's own patch or one beside it; with as many functions as any, or
+   * with fewer. */
   enum Quality
   {
     own_complete,
@@ -142,43 +143,67 @@ private:
 
 
 
-/** Fit the stress around one vertex, and hand it to the nodes there. */
+/** The cells around a vertex, each with its number of the vertex, and the fit
+ * to their samples. */
+template <int dim>
+struct Patch
+{
+  Patch(const std::vector<Sampled<dim>> &all_cells,
+        const std::vector<std::pair<unsigned int, unsigned int>> &cells)
+    : cells(cells)
+    , fit(make_fit(all_cells))
+  {
+  }
+
+  std::vector<std::pair<unsigned int, unsigned int>> cells;
+  PatchFit<dim> fit;
+
+private:
+  PatchFit<dim>
+  make_fit(const std::vector<Sampled<dim>> &all_cells) const
+  {
+    const auto &[cell, vertex] = cells.front();
+    const Point<dim> center    = all_cells[cell].positions[vertex];
+    std::vector<Point<dim>> points;
+    double size = 0;
+    for (const auto &[c, v] : cells)
+      for (const auto &point : all_cells[c].points)
+        {
+          points.push_back(point);
+          size = std::max(size, point.distance(center));
+        }
+    return PatchFit<dim>(points, center, size);
+  }
+};
+
+
+
+/** Hand the stress of a patch to the nodes of its cells. */
 template <int dim, std::size_t n_vectors>
 void
-fit_patch(const std::vector<Sampled<dim>> &cells,
-          const std::vector<std::pair<unsigned int, unsigned int>> &patch,
+add_patch(const std::vector<Sampled<dim>> &cells,
+          const Patch<dim> &patch,
+          const unsigned int n_functions,
           NodeMeans<dim, n_vectors> &means)
 {
-  using Means = NodeMeans<dim, n_vectors>;
-  std::vector<Point<dim>> points;
-  double size           = 0;
-  const auto &[c0, v0]  = patch.front();
-  const Point<dim> here = cells[c0].positions[v0];
-  for (const auto &[c, vertex] : patch)
-    for (const auto &point : cells[c].points)
-      {
-        points.push_back(point);
-        size = std::max(size, point.distance(here));
-      }
-  const PatchFit<dim> fit(points, here, size);
-
+  using Means            = NodeMeans<dim, n_vectors>;
+  const bool is_complete = patch.fit.n_functions() == n_functions;
   std::set<types::global_dof_index> done;
-  for (const auto &[c, vertex] : patch)
+  for (const auto &[c, vertex] : patch.cells)
     for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
       {
         if (!done.insert(cells[c].indices[node][0]).second)
           continue;
         const auto ends    = vertices_of_node<dim>(node);
         const bool is_own  = ends[0] == vertex || ends[1] == vertex;
-        const auto weights = fit.weights_at(cells[c].positions[node]);
+        const auto weights = patch.fit.weights_at(cells[c].positions[node]);
         SymmetricTensor<2, 3> stress;
         auto weight = weights.begin();
-        for (const auto &[other, of_other] : patch)
+        for (const auto &[other, of_other] : patch.cells)
           for (const auto &sample : cells[other].stresses)
             stress += *weight++ * sample;
-        means.add(fit.is_complete()
-                    ? (is_own ? Means::own_complete : Means::complete)
-                    : (is_own ? Means::own : Means::any),
+        means.add(is_complete ? (is_own ? Means::own_complete : Means::complete)
+                              : (is_own ? Means::own : Means::any),
                   cells[c].indices[node],
                   stress);
       }
@@ -208,15 +233,24 @@ RecoveredStress<dim>::recover(const unsigned int material,
   // cut have different ones.
   std::map<types::global_dof_index,
            std::vector<std::pair<unsigned int, unsigned int>>>
-    patches;
+    cells_at_vertex;
   for (unsigned int c = 0; c < cells.size(); ++c)
     for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
       if (discretization.owned.is_element(cells[c].indices[v][0]))
-        patches[cells[c].indices[v][0]].emplace_back(c, v);
+        cells_at_vertex[cells[c].indices[v][0]].emplace_back(c, v);
 
+  std::vector<Patch<dim>> patches;
+  unsigned int n_functions = 0;
+  for (const auto &[index, around] : cells_at_vertex)
+    {
+      patches.emplace_back(cells, around);
+      n_functions = std::max(n_functions, patches.back().fit.n_functions());
+    }
+  // A body of one layer of elements has no patch with all functions.
+  n_functions = Utilities::MPI::max(n_functions, discretization.communicator);
   NodeMeans<dim, n_vectors> means(discretization);
-  for (const auto &[index, patch] : patches)
-    fit_patch(cells, patch, means);
+  for (const auto &patch : patches)
+    add_patch(cells, patch, n_functions, means);
   Field field = means.finish();
   for (auto &vector : field)
     {

@@ -215,7 +215,7 @@ main(int argc, char **argv)
     test_energy(curved(plane), {});
     test_energy(curved(plane), everywhere);
     test_energy(curved(space), {});
-    for (const std::string &formulation : {"displacement", "mixed"})
+    for (const char *formulation : {"displacement", "mixed"})
       {
         test_free_piece<2>("1, 1", formulation);
         test_free_piece<2>("2, 1", formulation);

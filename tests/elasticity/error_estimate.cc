@@ -162,11 +162,10 @@ main(int argc, char **argv)
   return run_test(argc, argv, [] {
     std::cout << std::setprecision(4);
     test_linear_stress();
-    for (const unsigned int n : {2, 4, 8})
+    for (const unsigned int n : {8, 16, 32})
       test_tube<2>(n, 0.3);
-    test_tube<2>(4, 0.4999);
-    test_tube<2>(4, 0.3, {0, {{0, 1}, {4, 1}}});
-    for (const unsigned int n : {2, 4})
-      test_tube<3>(n, 0.3);
+    test_tube<2>(16, 0.4999);
+    test_tube<2>(8, 0.3, {0, {{0, 1}, {1, 1}, {9, 1}}});
+    test_tube<3>(8, 0.3);
   });
 }

@@ -18,6 +18,7 @@ NOTHING = "touches no face of an element inside the body"
 E = "Material/Young's modulus"
 NU = "Material/Poisson's ratio"
 NO_FACES = {"Support/Fixed faces": ""}
+MEAN_SHEAR = {"Yield/Criterion": "mean shear"}
 A_FILE = {"Body/Shape": "file"}
 
 WRONG_VALUES = {
@@ -75,6 +76,9 @@ WRONG_VALUES = {
         (E, "", PATTERN),
         (E, "5.0 kPa", PATTERN),
         ("Material/Shear limit", "0", "greater than 0"),
+        ("Material/Toughness", "0", "greater than 0"),
+        ("Material/Toughness", "-1", "greater than 0"),
+        ("Material/Formulation", "hybrid", "mixed"),
         ("Material/Shear limit", "-1", "greater than 0"),
         ("Material/Linear range", "0", "greater than 0"),
         (E, "5; cream : 0.5", "and 'cream' is none of them"),
@@ -219,6 +223,15 @@ WRONG_VALUES = {
         ("Division/Row tolerance", "0.5", "from 0 to less than 0.5"),
         ("Yield/Criterion", "courage", "maximum shear"),
         ("Yield/Check", "never", "every row"),
+        ("Yield/Process zone", "1", "0 with criteria other than mean shear"),
+        ("Yield/Process zone", "0", "greater than 0", MEAN_SHEAR),
+        ("Yield/Process zone", "-1", "greater than 0", MEAN_SHEAR),
+        ("Division/Split rows", "glued", "opened"),
+        ("Accuracy/Target", "1", "from 0 to less than 1"),
+        ("Accuracy/Target", "-0.1", "from 0 to less than 1"),
+        ("Accuracy/Quantity", "beauty", "strain energy"),
+        ("Accuracy/Width", "-1", PATTERN),
+        ("Accuracy/Maximum cells", "0", PATTERN),
         ("Division/Release", "row", "node row"),
         ("Division/Load control", "rising", "ramp"),
         ("Division/Maximum load factor", "-1", "not negative"),
@@ -230,6 +243,7 @@ WRONG_VALUES = {
         ("Cut/Surfaces", "where : z - 5", "'where : expression' in x,y"),
     ],
     ("output", 3): [
+        ("Output/CalculiX decks", "true", "false with the mixed formulation", {NU: "0.49"}),
         ("Output/Directory", "", "the name of a directory"),
         ("Output/Frames", "some", "every row"),
         ("Output/Node tables", "perhaps", PATTERN),

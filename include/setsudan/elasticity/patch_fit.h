@@ -7,7 +7,7 @@
 namespace Setsudan
 {
 /**
- * Least squares fit of a quadratic polynomial to values at scattered points.
+ * Least squares fit of a cubic polynomial to values at scattered points.
  * Monomials that the points cannot tell from those of lower degree are left
  * out, such as z^2 where there are two layers of points along z.
  */
@@ -20,9 +20,9 @@ public:
            const dealii::Point<dim> &center,
            const double size);
 
-  /** Whether no monomial was left out. */
-  bool
-  is_complete() const;
+  /** How many monomials were kept. */
+  unsigned int
+  n_functions() const;
 
   /** The weights of the samples' values in the polynomial's value at a point.
    */
@@ -40,7 +40,7 @@ private:
     std::vector<double> at_samples;
   };
 
-  /** 1, x, y, z, x^2, ... in the order of their degrees. */
+  /** 1, x, y, z, x^2, ..., z^3 in the order of their degrees. */
   std::vector<double>
   monomials_at(const dealii::Point<dim> &point) const;
 

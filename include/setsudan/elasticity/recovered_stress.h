@@ -11,10 +11,12 @@ namespace Setsudan
 /**
  * A continuous stress field that is nearer to the exact one than the elements'
  * own. Around each vertex the stress at the 2^dim Gauss points of the cells
- * that meet there, where it is most accurate, is fitted by a quadratic
- * polynomial; its values at the nodes are interpolated by the shape functions
- * (Zienkiewicz and Zhu 1992, International Journal for Numerical Methods in
- * Engineering 33, 1331-1364).
+ * that meet there, where it is most accurate, is fitted by a polynomial, whose
+ * values at the nodes are interpolated by the shape functions (Zienkiewicz and
+ * Zhu 1992, International Journal for Numerical Methods in Engineering 33,
+ * 1331-1364). The polynomial is cubic, one degree more than theirs: at the
+ * boundary, where a fit is extended beyond the middle of its cells, the error
+ * of a quadratic one is larger than the elements' own on the meshes in use.
  *
  * Only cells of one material are put together, and the two sides of a cut are
  * two fields. Components are held in vectors of the displacement's kind, dim in
