@@ -75,8 +75,8 @@ class State:
         return sum(values) / len(values)
 
 
-def solve(options, settings, body=None, event="deform"):
-    """The last state of a scene with that event; `body` is written and read."""
+def solve_all(options, settings, body=None):
+    """The states of a scene before each row of its cut; `body` is written and read."""
     with tempfile.TemporaryDirectory() as directory:
         directory = pathlib.Path(directory)
         scene = directory / "scene.prm"
@@ -90,8 +90,14 @@ def solve(options, settings, body=None, event="deform"):
                     [f"{name}={value}" for name, value in settings.items()] +
                     list(program.QUIET))
         lines = tables.read(directory / "results" / "statistics.csv")
-        line = [line for line in lines if line["event"] == event][-1]
-        return State(directory / "results", line)
+        return [State(directory / "results", line) for line in lines
+                if line["event"] == "deform"]
+
+
+def solve(options, settings, body=None):
+    """The state of a scene without a cut."""
+    state, = solve_all(options, settings, body)
+    return state
 
 
 def material(youngs_modulus, poissons_ratio):
