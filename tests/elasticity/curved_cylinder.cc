@@ -5,16 +5,13 @@
 // second where its sides are taken for straight. doc/bodies.md has the table.
 
 #include <setsudan/body/gmsh_file.h>
-#include <setsudan/solver/equilibrium.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <cmath>
 #include <fstream>
 #include <functional>
 
 #include "../test_setup.h"
+#include "exact_problem.h"
 
 using namespace Setsudan;
 using namespace dealii;
@@ -99,112 +96,34 @@ read(const std::string &geometry, const bool curved)
 }
 
 
+/** The error of the displacement in the L2 norm. */
 template <int dim>
-struct Problem
+double
+error(const Body<dim> &body,
+      Assignments assignments,
+      const Field<dim> &exact,
+      const std::function<bool(const Point<dim> &)> &holds)
 {
-  static void
-  declare(ParameterHandler &handler)
-  {
-    SupportParameters<dim>::declare(handler);
-    MaterialParameters<dim>::declare(handler);
-    LoadParameters<dim>::declare(handler);
-    SolverParameters::declare(handler);
-  }
-
-  Problem(const Body<dim> &the_body,
-          const std::vector<std::string> &assignments)
-    : body(the_body)
-    , parameters("test", entries_of(assignments), declare)
-    , supports(SupportParameters<dim>(parameters, body), body)
-    , material(parameters, body)
-    , model(body.mesh,
-            Refinement(),
-            body,
-            supports,
-            LoadParameters<dim>(parameters, body),
-            material,
-            MPI_COMM_WORLD)
-  {
-  }
-
-  /** The L2 norm of the error over that of the solution, where nodes that
-   * `holds` picks have the exact displacement. */
-  double
-  error(const Field<dim> &exact,
-        const std::function<bool(const Point<dim> &)> &holds)
-  {
-    const auto &discretization = model.discretization;
-    AffineConstraints<double> constraints(discretization.relevant);
-    constraints.merge(model.supports);
-    LA::Vector prescribed = discretization.zero_vector();
-    unsigned int local    = 0;
-    for (const auto index : discretization.owned)
-      {
-        const auto &site = discretization.sites()[local++];
-        if (holds(site.position))
-          {
-            constraints.add_line(index);
-            prescribed(index) = exact(site.position)[site.component];
-          }
-      }
-    constraints.close();
-    const LA::Vector u = discretization.with_ghosts(
-      Equilibrium<dim>(model, constraints, SolverParameters(parameters))
-        .solve(model.loads, prescribed, prescribed));
-
-    FEValues<dim> fe_values(discretization.mapping(),
-                            discretization.fe,
-                            QGauss<dim>(4),
-                            update_values | update_quadrature_points |
-                              update_JxW_values);
-    double difference = 0, norm = 0;
-    std::vector<Tensor<1, dim>> values(fe_values.n_quadrature_points);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      {
-        fe_values.reinit(cell);
-        fe_values[FEValuesExtractors::Vector(0)].get_function_values(u, values);
-        for (unsigned int q = 0; q < values.size(); ++q)
-          {
-            const auto expected = exact(fe_values.quadrature_point(q));
-            difference +=
-              (values[q] - expected).norm_square() * fe_values.JxW(q);
-            norm += expected.norm_square() * fe_values.JxW(q);
-          }
-      }
-    return std::sqrt(difference / norm);
-  }
-
-  const Body<dim> body;
-  const Parameters parameters;
-  const Supports<dim> supports;
-  const MaterialParameters<dim> material;
-  ElasticModel<dim> model;
-
-private:
-  static std::vector<SceneEntry>
-  entries_of(const std::vector<std::string> &assignments)
-  {
-    std::vector<SceneEntry> entries = {
-      parse_assignment("Material/Young's modulus=" + std::to_string(E)),
-      parse_assignment("Material/Poisson's ratio=" + std::to_string(nu))};
-    for (const auto &assignment : assignments)
-      entries.push_back(parse_assignment(assignment));
-    return entries;
-  }
-};
+  assignments.push_back("Material/Young's modulus=" + std::to_string(E));
+  assignments.push_back("Material/Poisson's ratio=" + std::to_string(nu));
+  return ExactProblem<dim>(body, assignments)
+    .errors({exact, {}}, holds)
+    .displacement;
+}
 
 
 double
 torsion_error(const unsigned int n)
 {
-  return Problem<3>(read<3>(cylinder(n), true), {})
-    .error(
-      [](const Point<3> &p) {
-        return Tensor<1, 3>({-twist * p[2] * p[1], twist * p[2] * p[0], 0.});
-      },
-      [](const Point<3> &p) {
-        return std::abs(p[2]) < 1e-9 || std::abs(p[2] - height) < 1e-9;
-      });
+  return error<3>(
+    read<3>(cylinder(n), true),
+    {},
+    [](const Point<3> &p) {
+      return Tensor<1, 3>({-twist * p[2] * p[1], twist * p[2] * p[0], 0.});
+    },
+    [](const Point<3> &p) {
+      return std::abs(p[2]) < 1e-9 || std::abs(p[2] - height) < 1e-9;
+    });
 }
 
 
@@ -216,19 +135,18 @@ pressure_error(const unsigned int n, const bool curved)
   //                           ((1 - 2 nu) r + b^2/r).
   const double factor =
     (1 + nu) / E * pressure * inner * inner / (outer * outer - inner * inner);
-  return Problem<dim>(
-           read<dim>(ring<dim>(n), curved),
-           {"Load/Pressures=inner : " + std::to_string(pressure),
-            std::string("Support/Fixed components=x axis : y; y axis : x") +
-              (dim == 3 ? "; ends : z" : "")})
-    .error(
-      [&](const Point<dim> &p) {
-        Tensor<1, dim> u;
-        u[0] = p[0];
-        u[1] = p[1];
-        return factor * (1 - 2 * nu + outer * outer / u.norm_square()) * u;
-      },
-      [](const Point<dim> &) { return false; });
+  return error<dim>(
+    read<dim>(ring<dim>(n), curved),
+    {"Load/Pressures=inner : " + std::to_string(pressure),
+     std::string("Support/Fixed components=x axis : y; y axis : x") +
+       (dim == 3 ? "; ends : z" : "")},
+    [&](const Point<dim> &p) {
+      Tensor<1, dim> u;
+      u[0] = p[0];
+      u[1] = p[1];
+      return factor * (1 - 2 * nu + outer * outer / u.norm_square()) * u;
+    },
+    [](const Point<dim> &) { return false; });
 }
 
 

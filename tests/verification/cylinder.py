@@ -1,0 +1,53 @@
+"""A thick cylinder under inner pressure, near incompressibility."""
+
+import math
+
+from bodies import Body, near
+from problems import Case, Row, material, solve
+
+RADII = (3, 3.5, 4.2, 5.2, 6.75, 9)
+YOUNGS_MODULUS = 1000
+# The part of the closed form that is expected, for each Poisson's ratio: an independent
+# code's with 3 × 3 points, which locks; and what a formulation reaches that does not.
+EXPECTED = {"displacement": {.49: .9986, .499: .9864, .4999: .8793},
+            "mixed": {.49: 1, .499: 1, .4999: 1}}
+
+
+def closed_form(poissons_ratio, r):
+    """Lamé's, for plane strain and a pressure of 1."""
+    a, b = RADII[0], RADII[-1]
+    return ((1 + poissons_ratio) * a * a / (YOUNGS_MODULUS * (b * b - a * a)) *
+            ((1 - 2 * poissons_ratio) * r + b * b / r))
+
+
+def make_body():
+    """Nine sectors of 10 degrees, with sides that follow the circles."""
+    body = Body(2)
+    for inner, outer in zip(RADII, RADII[1:]):
+        def place(across, along):
+            r = inner + across * (outer - inner)
+            angle = along * math.pi / 2
+            return r * math.cos(angle), r * math.sin(angle)
+        body.add_block((1, 9), place)
+    body.add_group("inner", lambda x, y: near(math.hypot(x, y), RADII[0]))
+    body.add_group("x axis", lambda x, y: near(y, 0))
+    body.add_group("y axis", lambda x, y: near(x, 0))
+    return body
+
+
+def rows(options, _):
+    for formulation, ratios in EXPECTED.items():
+        for poissons_ratio, expected in ratios.items():
+            state = solve(options, {
+                **material(YOUNGS_MODULUS, poissons_ratio), "Load/Pressures": "inner : 1",
+                "Material/Formulation": formulation,
+                "Support/Fixed components": "x axis : y; y axis : x"}, make_body())
+            yield Row(f"u at the inside, ν = {poissons_ratio}, {formulation} formulation",
+                      "5 × 9, plane strain", closed_form(poissons_ratio, RADII[0]),
+                      state.at((RADII[0], 0), "ux"), .0001, expected=expected)
+
+
+CASE = Case(
+    "cylinder", "Thick cylinder near incompressibility",
+    "Lamé's closed form; MacNeal & Harder 1985; the ratios that are expected of the "
+    "displacement formulation are an independent 20-node code's with 3 × 3 × 3 points", rows)

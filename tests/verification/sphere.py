@@ -1,0 +1,67 @@
+"""A thick sphere under inner pressure, on curved elements."""
+
+import math
+
+from bodies import Body, near
+from problems import Case, Row, material, solve
+
+INNER, OUTER = 1, 2
+YOUNGS_MODULUS, POISSONS_RATIO = 5, .3
+
+
+def closed_form(r):
+    """Lamé's, for a pressure of 1."""
+    a, b, nu = INNER, OUTER, POISSONS_RATIO
+    return (a ** 3 / (YOUNGS_MODULUS * (b ** 3 - a ** 3)) *
+            ((1 - 2 * nu) * r + (1 + nu) * b ** 3 / (2 * r * r)))
+
+
+def make_body(n):
+    """An octant: the parts that belong to three faces of a cube."""
+    body = Body(3)
+    for axis in range(3):
+        def place(across, s, t):
+            direction = (1, s, t)
+            r = (INNER + (OUTER - INNER) * across) / math.hypot(*direction)
+            point = [r * d for d in direction]
+            # Turned about the diagonal, which keeps right hands right.
+            return tuple(point[-axis:] + point[:-axis])
+        body.add_block((n, n, n), place)
+    for axis, name in enumerate("xyz"):
+        body.add_group(name, lambda *p, a=axis: near(p[a], 0))
+    body.add_group("inner", lambda *p: near(math.hypot(*p), INNER))
+    return body
+
+
+def solution(options, n):
+    """The displacement at the inside, on the x axis, and the error of all nodes' (root
+    mean square over that of the closed form)."""
+    state = solve(options, {
+        **material(YOUNGS_MODULUS, POISSONS_RATIO), "Load/Pressures": "inner : 1",
+        "Support/Fixed components": "x : x; y : y; z : z"}, make_body(n))
+    difference, norm = 0, 0
+    for node in state.nodes:
+        r = math.hypot(*node["p"])
+        for x, column in zip(node["p"], ("ux", "uy", "uz")):
+            exact = closed_form(r) * x / r
+            difference += (float(node[column]) - exact) ** 2
+            norm += exact ** 2
+    return state.at((INNER, 0, 0), "ux"), math.sqrt(difference / norm)
+
+
+def rows(options, long):
+    last = None
+    for n in (2, 4, 8) if long else (2, 4):
+        u, e = solution(options, n)
+        mesh = f"3 × {n}³"
+        yield Row("u at the inside", mesh, closed_form(INNER), u, .1 * n ** -3)
+        if last:
+            # Quadratic elements promise the third order.
+            yield Row("order of the displacement's error at nodes", mesh, 3,
+                      math.log2(last / e))
+        last = e
+
+
+CASE = Case(
+    "sphere", "Sphere under inner pressure, an octant of curved elements",
+    "Lamé's closed form; Timoshenko & Goodier, Theory of Elasticity", rows)
