@@ -137,13 +137,15 @@ template <int dim>
 AffineConstraints<double>
 CutBody<dim>::constraints_without(const unsigned int row)
 {
+  // A free pair stays free, so that the row cannot be tied again.
+  const Seam<dim> present = seam();
   seam().set_row_state(row, Seam<dim>::State::free);
   std::size_t n_loose = 0;
   if (!motions->all_held())
     for (const auto &group : motions->find_loose(seam().links(parts)))
       n_loose += group.loose.size();
   auto result = constraints();
-  seam().set_row_state(row, Seam<dim>::State::tied);
+  seam() = present;
   if (n_loose > loose_pieces.size())
     throw std::runtime_error(
       "Splitting row " + std::to_string(row + 1) +
