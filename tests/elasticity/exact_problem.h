@@ -132,7 +132,8 @@ private:
             norm += expected.norm_square() * JxW;
             if (!exact.gradient)
               continue;
-            const Hooke &hooke = model.hooke(cell);
+            const Hooke &hooke =
+              model.materials.of_element(discretization.element(cell)).hooke;
             const auto stress = hooke.stress(symmetrize(exact.gradient(point)));
             stress_difference +=
               std::pow((hooke.stress(strains[q]) - stress).norm(), 2) * JxW;
