@@ -25,7 +25,8 @@ struct ExactField
   std::function<dealii::Tensor<2, dim>(const Point &)> gradient;
 };
 
-/** Errors over the norm of the exact field. */
+/** Errors over the norm of the exact field; the stress is that of the
+ * displacement formulation. */
 struct RelativeErrors
 {
   double displacement;
