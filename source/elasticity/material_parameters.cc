@@ -54,7 +54,7 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "displacement: the strain as it is; mixed: the change of "
                     "volume is linear in each element, so that elements do not "
                     "lock where Poisson's ratio is near 1/2; auto: mixed for "
-                    "materials whose Poisson's ratio is at least 0.4.");
+                    "materials whose Poisson's ratio is at least 0.45.");
   Setsudan::declare(handler,
                     "Material",
                     "Linear range",
@@ -139,9 +139,9 @@ read_values(const Parameters &parameters,
 
 
 
-// From here on the displacement formulation is more than 0.1 % too stiff on
-// coarse meshes (doc/theory.md).
-constexpr double mixed_from_ratio = 0.4;
+// From here on the displacement formulation's stress is wrong by several per
+// cent on coarse meshes (doc/theory.md).
+constexpr double mixed_from_ratio = 0.45;
 
 double
 value_of(const ElementValues &values, const unsigned int element)
