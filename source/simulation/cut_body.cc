@@ -145,7 +145,7 @@ CutBody<dim>::constraints_without(const unsigned int row)
     for (const auto &group : motions->find_loose(seam().links(parts)))
       n_loose += group.loose.size();
   auto result = constraints();
-  seam() = present;
+  seam()      = present;
   if (n_loose > loose_pieces.size())
     throw std::runtime_error(
       "Splitting row " + std::to_string(row + 1) +

@@ -77,7 +77,7 @@ test(const std::vector<SceneEntry> &more)
   body.seam().set_row_state(row, Seam<dim>::State::free);
   // Its opening is that of the row before, and none of its own.
   const State<dim> released = solve_state(scene, body, blade, 1, zero);
-  body.seam() = present;
+  body.seam()               = present;
 
   const auto energy = [&](const State<dim> &state) {
     return state.internal * state.displacement / 2 -
