@@ -1,11 +1,16 @@
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/simulation/interruption.h>
+#include <setsudan/simulation/resumption.h>
 #include <setsudan/simulation/simulation.h>
 
 #include <CLI/CLI.hpp>
 
+#include <cctype>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +33,7 @@ struct CommandLine
   std::string scene;
   std::vector<std::string> assignments;
   std::optional<std::string> output;
+  bool resume           = false;
   bool validate         = false;
   bool print_parameters = false;
 };
@@ -52,8 +58,28 @@ run(const CommandLine &command_line,
   const Scene<dim> scene(parameters);
   if (command_line.validate && speaks)
     std::cout << command_line.scene << " is a valid scene." << std::endl;
-  if (!command_line.validate && !command_line.print_parameters)
-    Simulation<dim>(scene, parameters, communicator).run();
+  if (command_line.validate || command_line.print_parameters)
+    return;
+  note_interruptions();
+  EarlierRun earlier;
+  if (command_line.resume)
+    earlier = find_earlier_run(scene, parameters, communicator);
+  if (!earlier.finished)
+    Simulation<dim>(scene, parameters, communicator, earlier.checkpoint).run();
+  else if (speaks)
+    std::cout << "The run in " << scene.output.directory
+              << " has ended: there is nothing to resume." << std::endl;
+}
+
+/** Say what is wrong. What the message quotes of a file may be anything: no
+ * control character of it reaches the terminal. */
+void
+say_error(std::string message)
+{
+  for (char &c : message)
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n')
+      c = '?';
+  std::cerr << "setsudan: " << message << std::endl;
 }
 
 std::vector<SceneEntry>
@@ -77,7 +103,15 @@ main(int argc, char **argv)
 {
   // A program that was not started by mpirun need not wait for Open MPI's
   // daemon, which takes longer than a small scene.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  if (getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+    {
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+      // Its directories have one name for all such programs, each of which
+      // removes them when it ends: one that starts then would fail.
+      setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+    }
+  // A file that may not grow is said in words, like a disk that is full.
+  std::signal(SIGXFSZ, SIG_IGN);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const MPI_Comm communicator = MPI_COMM_WORLD;
   const bool speaks =
@@ -95,6 +129,9 @@ main(int argc, char **argv)
   app.add_option("--output",
                  command_line.output,
                  "Output directory, instead of the scene's");
+  app.add_flag("--resume",
+               command_line.resume,
+               "Go on with a run of this scene that was stopped");
   app.add_flag("--validate", command_line.validate, "Check the scene and stop");
   app.add_flag("--print-parameters",
                command_line.print_parameters,
@@ -125,7 +162,7 @@ main(int argc, char **argv)
     {
       // All processes read the same scene, and stop at the same error.
       if (speaks)
-        std::cerr << "setsudan: " << error.what() << std::endl;
+        say_error(error.what());
       return failure;
     }
   catch (const std::exception &error)
@@ -133,7 +170,11 @@ main(int argc, char **argv)
       // What fails on all processes is said by the first.
       if (!speaks)
         sleep(1);
-      std::cerr << "setsudan: " << error.what() << std::endl;
+      say_error(dynamic_cast<const std::bad_alloc *>(&error) != nullptr
+                  ? "The memory does not suffice for this body. Take fewer "
+                    "elements or less refinement, or more processes on more "
+                    "machines."
+                  : error.what());
       // Others may be waiting for a process that has failed alone.
       if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
         MPI_Abort(communicator, failure);

@@ -81,8 +81,17 @@ Progress::show(const std::string &line)
 double
 Progress::seconds() const
 {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-    .count();
+  return seconds_before +
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+           .count();
+}
+
+
+
+void
+Progress::continue_from(const double seconds)
+{
+  seconds_before = seconds;
 }
 
 

@@ -226,20 +226,12 @@ Parameters::print(std::ostream &out) const
 
 
 
-void
-Parameters::print_for(const std::string &directory,
-                      const std::string &subsection,
-                      const std::string &name,
-                      std::ostream &out) const
+Parameters
+Parameters::with(const std::vector<SceneEntry> &changes) const
 {
   auto entries = given;
-  if (!text(subsection, name).empty())
-    entries.push_back(
-      {subsection,
-       name,
-       std::filesystem::proximate(path(subsection, name), directory).string(),
-       ""});
-  Parameters(scene_name, entries, declare_all).print(out);
+  entries.insert(entries.end(), changes.begin(), changes.end());
+  return Parameters(scene_name, entries, declare_all);
 }
 
 

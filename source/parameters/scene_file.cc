@@ -32,6 +32,10 @@ read_lines(const std::string &file_name, const std::string &included_at)
   bool continued = false;
   for (unsigned int number = 1; std::getline(stream, text); ++number)
     {
+      if (text.find('\0') != std::string::npos)
+        throw SceneError(
+          file_name + ":" + std::to_string(number) +
+          ": there is a character of code 0, which no text has.");
       text = trim(text.substr(0, text.find('#')));
       if (continued)
         lines.back().text += " " + text;

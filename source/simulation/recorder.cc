@@ -19,11 +19,12 @@ namespace
 OutputDirectory
 open_directory(const Parameters &parameters,
                const std::string &path,
-               const MPI_Comm communicator)
+               const MPI_Comm communicator,
+               const OutputDirectory::Earlier earlier)
 {
   try
     {
-      return OutputDirectory(path, communicator);
+      return OutputDirectory(path, communicator, earlier);
     }
   catch (const SceneError &error)
     {
@@ -40,17 +41,57 @@ open_directory(const Parameters &parameters,
 template <int dim>
 Recorder<dim>::Recorder(const Scene<dim> &scene,
                         const Parameters &parameters,
-                        const MPI_Comm communicator)
+                        const MPI_Comm communicator,
+                        const OutputDirectory::Earlier earlier)
   : progress(communicator)
+  , directory(
+      open_directory(parameters, scene.output.directory, communicator, earlier))
   , scene(scene)
-  , directory(open_directory(parameters, scene.output.directory, communicator))
   , is_first_process(Utilities::MPI::this_mpi_process(communicator) == 0)
   , frames(directory)
 {
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::write_parameters(const Parameters &parameters) const
+{
   if (is_first_process)
     directory.write("parameters.prm", [&](std::ostream &out) {
-      parameters.print_for(directory.path, "Body", "File", out);
+      out << text_in(directory.path, parameters);
     });
+}
+
+
+
+template <int dim>
+Record
+Recorder<dim>::save() const
+{
+  return {statistics.table,
+          frames.sequence,
+          warned_of_round_off,
+          warned_of_strain,
+          warned_of_jacobian,
+          cut_began,
+          progress.seconds()};
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::restore(const Record &record)
+{
+  statistics.table    = record.table;
+  frames.sequence     = record.sequence;
+  warned_of_round_off = record.warned_of_round_off;
+  warned_of_strain    = record.warned_of_strain;
+  warned_of_jacobian  = record.warned_of_jacobian;
+  cut_began           = record.cut_began;
+  progress.continue_from(record.seconds);
 }
 
 

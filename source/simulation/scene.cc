@@ -1,6 +1,7 @@
 #include <setsudan/elasticity/rigid_modes.h>
 #include <setsudan/simulation/scene.h>
 
+#include <filesystem>
 #include <numeric>
 #include <sstream>
 
@@ -21,6 +22,24 @@ scene_dimension(const std::vector<SceneEntry> &entries)
         dimension = entry.value == "2" ? 2 : 3;
       }
   return dimension;
+}
+
+
+
+std::string
+text_in(const std::string &directory, const Parameters &parameters)
+{
+  std::ostringstream text;
+  if (parameters.text("Body", "File").empty())
+    parameters.print(text);
+  else
+    {
+      const auto file =
+        std::filesystem::proximate(parameters.path("Body", "File"), directory);
+      parameters.with({{"Body", "File", file.string(), "parameters.prm"}})
+        .print(text);
+    }
+  return text.str();
 }
 
 

@@ -4,7 +4,9 @@
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/checks.h>
 #include <setsudan/simulation/choose_refinement.h>
+#include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/judgement.h>
+#include <setsudan/simulation/resumption.h>
 #include <setsudan/simulation/simulation.h>
 #include <setsudan/simulation/state_error.h>
 
@@ -17,13 +19,29 @@ using namespace dealii;
 template <int dim>
 Simulation<dim>::Simulation(const Scene<dim> &scene,
                             const Parameters &parameters,
-                            const MPI_Comm communicator)
+                            const MPI_Comm communicator,
+                            const std::optional<Checkpoint> &checkpoint)
   : scene(scene)
-  , recorder(scene, parameters, communicator)
+  , checkpoint(checkpoint)
+  , recorder(scene,
+             parameters,
+             communicator,
+             checkpoint ? OutputDirectory::Earlier::kept
+                        : OutputDirectory::Earlier::removed)
+  , checkpoints(scene.output.checkpoint,
+                recorder.directory,
+                recorder.progress,
+                communicator)
   , body(scene,
-         choose_refinement(scene, recorder.progress, communicator),
+         checkpoint ? checkpoint->refinement
+                    : choose_refinement(scene, recorder.progress, communicator),
          communicator)
 {
+  if (checkpoint)
+    return;
+  // From now on the directory is that of a run that has begun.
+  checkpoints.make({});
+  recorder.write_parameters(parameters);
 }
 
 
@@ -32,12 +50,23 @@ template <int dim>
 void
 Simulation<dim>::run()
 {
-  rest();
+  recorder.progress.say(describe_body(scene, body));
+  bool goes_on = true;
+  if (checkpoint)
+    goes_on = resume();
+  else
+    rest();
   if (scene.cut.cuts.empty())
     deform_only();
-  for (unsigned int cut = 0; cut < scene.cut.cuts.size(); ++cut)
-    if (!make_cut(cut))
-      break;
+  for (unsigned int cut = checkpoint ? checkpoint->event.cut + 1 : 0;
+       goes_on && cut < scene.cut.cuts.size();
+       ++cut)
+    {
+      if (cut > 0)
+        reach(Checkpoint::Stage::divided);
+      goes_on = make_cut(cut);
+    }
+  checkpoints.finish();
   std::ostringstream line;
   line << "Results in " << scene.output.directory << ": " << n_frames
        << " states, " << body.n_pieces()
@@ -53,17 +82,28 @@ Simulation<dim>::make_cut(const unsigned int cut)
 {
   if (!approach(cut))
     return true;
-  const unsigned int n_rows = body.seam().rows().size();
   if (scene.yield.needs_seam())
     open_before_yield();
-  for (unsigned int row = 0; row < n_rows; ++row)
+  deform(0);
+  return make_cut_from(0);
+}
+
+
+
+template <int dim>
+bool
+Simulation<dim>::make_cut_from(const unsigned int first_row)
+{
+  const unsigned int n_rows = body.seam().rows().size();
+  for (unsigned int row = first_row; row < n_rows; ++row)
     {
       if (row > 0 && body.is_left_out(row))
         {
           ++event.released_rows;
           continue;
         }
-      deform(row);
+      if (row > first_row)
+        deform(row);
       if (!row_yields(row))
         {
           arrest();
@@ -80,14 +120,59 @@ Simulation<dim>::make_cut(const unsigned int cut)
 
 
 template <int dim>
+bool
+Simulation<dim>::resume()
+{
+  repeat_surgeries(scene, *checkpoint, body);
+  state    = restore_state(scene, *checkpoint, body);
+  event    = checkpoint->event;
+  n_frames = checkpoint->n_frames;
+  recorder.restore(checkpoint->record);
+  const bool divided = checkpoint->stage == Checkpoint::Stage::divided;
+  recorder.progress.say(
+    "Resumed behind " +
+    (divided ? "" : "row " + std::to_string(event.row + 1) + " of ") + "cut " +
+    std::to_string(event.cut) + ".");
+  return divided || make_cut_from(event.row);
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::reach(const Checkpoint::Stage stage)
+{
+  const bool stops = interrupted(body.communicator);
+  if (checkpoints.keeps() && (stops || checkpoints.is_due()))
+    {
+      Checkpoint reached;
+      reached.stage      = stage;
+      reached.n_frames   = n_frames;
+      reached.event      = event;
+      reached.refinement = body.refinement;
+      reached.record     = recorder.save();
+      store_state(state, body.communicator, reached);
+      checkpoints.make(reached);
+    }
+  if (stops)
+    throw SceneError(
+      "The run was interrupted behind row " + std::to_string(event.row + 1) +
+      " of cut " + std::to_string(event.cut) +
+      (checkpoints.keeps() ? "; with --resume it goes on from there."
+                           : "; Output/Checkpoint = none leaves nothing to "
+                             "resume from."));
+}
+
+
+
+template <int dim>
 void
 Simulation<dim>::rest()
 {
-  recorder.progress.say(describe_body(scene, body));
   state                 = rest_state(body);
   event.required_stress = smallest_requirement(scene);
   if (scene.accuracy.estimate)
-    event.errors = {{0., 0.}};
+    event.errors = std::array<double, 2>{{0., 0.}};
   recorder.record("rest", event);
   recorder.write_state(body, state, 0, true);
 }
@@ -165,6 +250,7 @@ Simulation<dim>::deform(const unsigned int row)
                        event.frame,
                        row == 0 || row + 1 == body.seam().rows().size() ||
                          !state.yields);
+  reach(Checkpoint::Stage::row);
 }
 
 
@@ -295,7 +381,8 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
     {
       const StateError error =
         estimate_error_of_state(scene, body, blade.row, new_state);
-      event.errors = {{error.energy.relative_energy, error.cutting_stress}};
+      event.errors = std::array<double, 2>{
+        {error.energy.relative_energy, error.cutting_stress}};
       new_state.error_squares = error.energy.squares;
     }
   if (event.released_rows > 0)

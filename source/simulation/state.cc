@@ -124,6 +124,24 @@ unloaded_state(const Scene<dim> &scene, const CutBody<dim> &body)
 
 template <int dim>
 State<dim>
+make_state(const Scene<dim> &scene,
+           CutBody<dim> &body,
+           const BladeLoad<dim> &blade,
+           const double load_factor,
+           const LA::Vector &displacement)
+{
+  State<dim> state  = unloaded_state(scene, body);
+  state.load_factor = load_factor;
+  state.forces.add(load_factor, blade.nodal_forces);
+  state.displacement = displacement;
+  state.internal     = body.internal_forces(state.displacement);
+  return state;
+}
+
+
+
+template <int dim>
+State<dim>
 solve_state(const Scene<dim> &scene,
             CutBody<dim> &body,
             const BladeLoad<dim> &blade,
@@ -204,6 +222,12 @@ prescribed_displacement(const CutBody<2> &, const State<2> &);
 template State<2>
 rest_state(const CutBody<2> &);
 template State<2>
+make_state(const Scene<2> &,
+           CutBody<2> &,
+           const BladeLoad<2> &,
+           const double,
+           const LA::Vector &);
+template State<2>
 solve_state(const Scene<2> &,
             CutBody<2> &,
             const BladeLoad<2> &,
@@ -224,6 +248,12 @@ template LA::Vector
 prescribed_displacement(const CutBody<3> &, const State<3> &);
 template State<3>
 rest_state(const CutBody<3> &);
+template State<3>
+make_state(const Scene<3> &,
+           CutBody<3> &,
+           const BladeLoad<3> &,
+           const double,
+           const LA::Vector &);
 template State<3>
 solve_state(const Scene<3> &,
             CutBody<3> &,

@@ -41,6 +41,7 @@ test_replacement()
 {
   fs::remove_all("replaced");
   for (const std::string &name : {"parameters.prm",
+                                  "checkpoint",
                                   "cut.pvd",
                                   "statistics.csv",
                                   "frame_0000.vtu",
@@ -70,6 +71,30 @@ test_replacement()
   const OutputDirectory directory("replaced", MPI_COMM_WORLD);
   print_files("replaced");
   check("deeper files stay", fs::exists("replaced/deeper/cut.pvd"));
+}
+
+
+/** A run that is resumed keeps its files, but not those that a writer who was
+ * killed has left. */
+void
+test_kept()
+{
+  fs::remove_all("kept");
+  for (const std::string &name :
+       {"parameters.prm", "checkpoint", "statistics.csv", ".writing-cut.pvd"})
+    make_file("kept/" + std::string(name));
+  const OutputDirectory directory(
+    "kept", MPI_COMM_WORLD, OutputDirectory::Earlier::kept);
+  print_files("kept");
+  check("there is a checkpoint", directory.has("checkpoint"));
+  directory.write_durably("checkpoint",
+                          [](std::ostream &out) { out << "later"; });
+  std::string text;
+  std::getline(std::ifstream("kept/checkpoint"), text);
+  std::cout << text << std::endl;
+  directory.remove("checkpoint");
+  directory.remove("checkpoint");
+  print_files("kept");
 }
 
 
@@ -108,6 +133,7 @@ main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
     test_replacement();
+    test_kept();
     test_new_directory();
     test_name();
   });

@@ -54,6 +54,9 @@ def syntax():
         yield wrong_line(line, f"'{line}' is not understood")
     for line in ("set = 3", "subsection", "end", "include", "<xml>"):
         yield wrong_line(line, f"'{line}' is not understood")
+    yield wrong_line("set Dimension = \0", "a character of code 0")
+    # Control characters are not quoted as such.
+    yield wrong_line("set Dimension = \x1b[2J", "'Dimension' is '?[2J'")
     yield wrong_text(
         "missing end", GOOD_TEXT + subsection, "scene.prm:", "'Body' has no 'end'"
     )

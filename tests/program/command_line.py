@@ -29,7 +29,7 @@ CASES = [
     case(2, ["scene.prm", "--set"], "--set"),
     case(2, ["scene.prm", "--output"], "--output"),
     case(2, ["--validate"], "SCENE"),
-    case(0, ["--help"], "SCENE", "--set", "--output", "--validate", "--version"),
+    case(0, ["--help"], "SCENE", "--set", "--output", "--resume", "--validate", "--version"),
     case(0, ["--version"], "setsudan "),
     case(0, ["scene.prm", "--validate"], "scene.prm is a valid scene"),
     case(0, ["plane.prm", "--validate"], "plane.prm is a valid scene"),

@@ -248,6 +248,7 @@ WRONG_VALUES = {
         ("Output/Frames", "some", "every row"),
         ("Output/Node tables", "perhaps", PATTERN),
         ("Output/CalculiX decks", "perhaps", PATTERN),
+        ("Output/Checkpoint", "sometimes", "none"),
         ("Output/Piece shape", "round", "deformed"),
         ("Solver/Method", "guess", "iterative"),
         ("Solver/Tolerance", "0", "greater than 0 and at most 1e-3"),

@@ -44,9 +44,10 @@ public:
         const ElementLabels &labels,
         const dealii::Vector<double> &error_squares = {});
 
-private:
-  const OutputDirectory &directory;
   /** Frame numbers, which are the times in ParaView, and file names. */
   std::vector<std::pair<double, std::string>> sequence;
+
+private:
+  const OutputDirectory &directory;
 };
 } // namespace Setsudan

@@ -22,6 +22,14 @@ struct OutputParameters
   Frames frames;
   bool node_tables;
   bool calculix_decks;
+  /** How often the run makes a checkpoint, from which it can be resumed. */
+  enum class Checkpoint
+  {
+    automatic,
+    every_row,
+    none
+  };
+  Checkpoint checkpoint;
   /** Whether the pieces have the shape of the last state, or that at rest. */
   bool pieces_deformed;
 
@@ -38,13 +46,30 @@ struct OutputParameters
 class OutputDirectory
 {
 public:
+  /** What becomes of the files of an earlier run. */
+  enum class Earlier
+  {
+    removed,
+    /** All but those under temporary names, whose writer was killed. */
+    kept
+  };
+
   /**
    * Make the directory, and remove what an earlier run left in it. Called by
    * all processes; the first one acts.
    *
    * @throw SceneError on all processes where that is not possible.
    */
-  OutputDirectory(const std::string &path, const MPI_Comm communicator);
+  OutputDirectory(const std::string &path,
+                  const MPI_Comm communicator,
+                  const Earlier earlier = Earlier::removed);
+
+  /** Whether a file is there; asked by the first process. */
+  bool
+  has(const std::string &name) const;
+
+  void
+  remove(const std::string &name) const;
 
   /**
    * Write a file as a whole. Called by the process that has it.
@@ -54,6 +79,11 @@ public:
   void
   write(const std::string &name,
         const std::function<void(std::ostream &)> &write_to) const;
+
+  /** The same, and wait until the disk has it. */
+  void
+  write_durably(const std::string &name,
+                const std::function<void(std::ostream &)> &write_to) const;
 
   /** The same for writers that want a name; it ends like `name`. */
   void

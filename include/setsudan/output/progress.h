@@ -35,6 +35,10 @@ public:
   double
   seconds() const;
 
+  /** Count the seconds that the run took before it was resumed as well. */
+  void
+  continue_from(const double seconds);
+
   /** The time left after `done` of `all` equal parts since `begin`. */
   std::string
   time_left(const double begin,
@@ -48,6 +52,7 @@ private:
   const std::chrono::steady_clock::time_point start;
   const bool speaks;
   const bool on_terminal;
+  double seconds_before   = 0;
   std::size_t shown_width = 0;
 };
 } // namespace Setsudan

@@ -57,7 +57,7 @@ public:
   void
   add(const Event &event, const OutputDirectory &directory);
 
-private:
+  /** All lines so far. */
   std::string table;
 };
 } // namespace Setsudan

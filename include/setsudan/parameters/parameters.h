@@ -84,13 +84,9 @@ public:
   void
   print(std::ostream &out) const;
 
-  /** The same, as a scene file in another directory: there the file that a
-   * parameter names, if it does, is relative to that one. */
-  void
-  print_for(const std::string &directory,
-            const std::string &subsection,
-            const std::string &name,
-            std::ostream &out) const;
+  /** The same parameters but for some. */
+  Parameters
+  with(const std::vector<SceneEntry> &changes) const;
 
 private:
   void

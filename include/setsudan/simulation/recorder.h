@@ -8,18 +8,48 @@
 #include <setsudan/simulation/state.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace Setsudan
 {
+/** What a record has come to, apart from the files of its frames. */
+struct Record
+{
+  /** Lines of statistics.csv. */
+  std::string table;
+  /** What cut.pvd lists. */
+  std::vector<std::pair<double, std::string>> sequence;
+  bool warned_of_round_off = false;
+  bool warned_of_strain    = false;
+  bool warned_of_jacobian  = false;
+  /** Seconds since the start: when the present cut began, and now. */
+  double cut_began = 0;
+  double seconds   = 0;
+};
+
 /** Keeps the record of a run: the table of events, frames, node tables, the
  * pieces, and what is said on the way. */
 template <int dim>
 class Recorder
 {
 public:
+  /** @param earlier whether the record of an earlier run is kept, to be gone
+   * on with. */
   Recorder(const Scene<dim> &scene,
            const Parameters &parameters,
-           const MPI_Comm communicator);
+           const MPI_Comm communicator,
+           const OutputDirectory::Earlier earlier);
+
+  /** Write parameters.prm. */
+  void
+  write_parameters(const Parameters &parameters) const;
+
+  /** The record so far; and go on with one. */
+  Record
+  save() const;
+  void
+  restore(const Record &record);
 
   /** Add an event of the present state to the statistics. */
   void
@@ -58,6 +88,7 @@ public:
   show_row(const Event &event, const unsigned int n_rows);
 
   Progress progress;
+  const OutputDirectory directory;
 
 private:
   dealii::Vector<double>
@@ -69,7 +100,6 @@ private:
              const std::string &name) const;
 
   const Scene<dim> &scene;
-  const OutputDirectory directory;
   const bool is_first_process;
   FrameWriter<dim> frames;
   Statistics statistics;

@@ -23,6 +23,11 @@ namespace Setsudan
 unsigned int
 scene_dimension(const std::vector<SceneEntry> &entries);
 
+/** All parameters as the text of a scene file in `directory`: the body's file,
+ * if it has one, is named as it is found from there. */
+std::string
+text_in(const std::string &directory, const Parameters &parameters);
+
 /** Everything a run needs to know: the parameters of all rooms, checked one by
  * one and against each other. */
 template <int dim>

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <setsudan/simulation/checkpoint_keeper.h>
 #include <setsudan/simulation/cut_body.h>
 #include <setsudan/simulation/recorder.h>
 #include <setsudan/simulation/state.h>
+
+#include <optional>
 
 namespace Setsudan
 {
@@ -12,14 +15,20 @@ template <int dim>
 class Simulation
 {
 public:
-  /** @param scene and `parameters`, which it was read from, must live as long.
+  /**
+   * @param scene and `parameters`, which it was read from, must live as long.
+   * @param checkpoint where an earlier run of this scene stood, if it is to be
+   *   resumed.
    *
-   * @throw SceneError where the output directory cannot be written. */
+   * @throw SceneError where the output directory cannot be written.
+   */
   Simulation(const Scene<dim> &scene,
              const Parameters &parameters,
-             const MPI_Comm communicator);
+             const MPI_Comm communicator,
+             const std::optional<Checkpoint> &checkpoint = {});
 
-  /** @throw SolverError or std::runtime_error where the run cannot go on. */
+  /** @throw SolverError or std::runtime_error where the run cannot go on, and
+   * SceneError where it was interrupted. */
   void
   run();
 
@@ -27,6 +36,22 @@ private:
   /** Make one cut; the answer is whether it went through. */
   bool
   make_cut(const unsigned int cut);
+
+  /** Split the row on which the blade rests, and all behind it. */
+  bool
+  make_cut_from(const unsigned int first_row);
+
+  /** Go on where a checkpoint was made, to the end of its cut; the answer is
+   * whether it went through. */
+  bool
+  resume();
+
+  /** Make a checkpoint of what has been solved and recorded, if it is time for
+   * one, and stop there if that is wanted from outside.
+   *
+   * @throw SceneError if the run has been interrupted. */
+  void
+  reach(const Checkpoint::Stage stage);
 
   void
   rest();
@@ -73,7 +98,9 @@ private:
   accept(State<dim> &&new_state, const BladeLoad<dim> &blade);
 
   const Scene<dim> &scene;
+  const std::optional<Checkpoint> checkpoint;
   Recorder<dim> recorder;
+  CheckpointKeeper checkpoints;
   CutBody<dim> body;
   State<dim> state;
   Event event;

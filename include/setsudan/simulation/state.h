@@ -64,6 +64,16 @@ template <int dim>
 State<dim>
 rest_state(const CutBody<dim> &body);
 
+/** The state of the body under its loads and `load_factor` times the blade,
+ * from the displacement that has been solved for. */
+template <int dim>
+State<dim>
+make_state(const Scene<dim> &scene,
+           CutBody<dim> &body,
+           const BladeLoad<dim> &blade,
+           const double load_factor,
+           const LA::Vector &displacement);
+
 /**
  * Solve for the body under its loads and `load_factor` times the blade.
  *
