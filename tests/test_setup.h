@@ -39,3 +39,15 @@ check_below(const std::string &name, const double error, const double tolerance)
   else
     std::cout << "FAILED, " << error << " exceeds " << tolerance << std::endl;
 }
+
+/** check_below() of the largest error of all processes; the first one prints
+ * it. */
+inline void
+check_below_on_all(const std::string &name,
+                   const double error,
+                   const double tolerance = 1e-12)
+{
+  const double largest = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    check_below(name, largest, tolerance);
+}

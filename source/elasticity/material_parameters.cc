@@ -173,6 +173,7 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
   parameters.require(linear_range > 0, "Material", "Linear range", positive);
 
   const std::string formulation = parameters.text("Material", "Formulation");
+  formulation_is_named          = formulation != "auto";
   const auto is_mixed           = [&](const double ratio) {
     return formulation == "mixed" ||
            (formulation == "auto" && ratio >= mixed_from_ratio);

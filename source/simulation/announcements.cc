@@ -35,8 +35,10 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
          << "Solver/Direct up to = " << scene.solver.direct_up_to;
   line << ".";
   if (scene.material.any_is_mixed())
-    line << "\nFormulation: mixed (Material/Formulation), because Poisson's "
-            "ratio is near 1/2.";
+    line << "\nFormulation: mixed, "
+         << (scene.material.formulation_is_named
+               ? "as Material/Formulation says."
+               : "because Poisson's ratio is near 1/2 (Material/Formulation).");
   return line.str();
 }
 

@@ -117,8 +117,7 @@ choose_refinement(const Scene<dim> &scene,
       const auto marked = trial.mark();
       const Refinement finer =
         refine_further(scene.body, scene.cut, refinement, marked, communicator);
-      const unsigned int n_finer =
-        count_cells<dim>(scene.body.mesh, finer, communicator);
+      const auto n_finer = count_cells<dim>(scene.body.mesh, finer);
       if (marked.empty() || n_finer > accuracy.max_cells)
         {
           progress.warn(

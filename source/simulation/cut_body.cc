@@ -16,9 +16,9 @@ CutBody<dim>::CutBody(const Scene<dim> &scene,
                       const Refinement &refinement,
                       const MPI_Comm communicator)
   : communicator(communicator)
+  , refinement(refinement)
   , mesh(scene.body.mesh)
   , scene(scene)
-  , refinement(refinement)
 {
   rebuild();
   labels.side.assign(mesh.cells.size(), 0);
@@ -95,6 +95,7 @@ CutBody<dim>::approach(const Cut<dim> &cut)
     return false;
   split = split_mesh(mesh, surface);
   begun_cuts.push_back({&cut, surface});
+  areas.clear();
   seams.push_back(make_seam(begun_cuts.back(), split));
   return true;
 }
@@ -328,15 +329,16 @@ CutBody<dim>::pieces_of_row(const unsigned int row) const
 
 
 template <int dim>
-RowArea
-CutBody<dim>::area_of_row(const unsigned int row) const
+const RowArea &
+CutBody<dim>::area_of_row(const unsigned int row)
 {
-  return row_areas(scene.body,
-                   scene.material,
-                   begun_cuts.back().surface,
-                   cut().edge,
-                   seam().rows(),
-                   scene.shape.refinement + scene.cut.near_cut_levels)[row];
+  if (areas.empty())
+    areas = row_areas(scene.body,
+                      scene.material,
+                      begun_cuts.back().surface,
+                      cut().edge,
+                      seam().rows());
+  return areas[row];
 }
 
 

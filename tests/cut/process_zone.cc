@@ -15,14 +15,6 @@
 using namespace Setsudan;
 using namespace dealii;
 
-void
-report(const std::string &name, const double error, const double tolerance)
-{
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    check_below(name, error, tolerance);
-}
-
-
 /** The integral of (1 - (r/R)^2)^2 over a ball or disc. */
 template <int dim>
 double
@@ -64,17 +56,19 @@ test_zone(const std::string &n_elements, const double radius)
     weights[sample.zone] += sample.weight;
   Utilities::MPI::sum(weights, MPI_COMM_WORLD, weights);
   const double ball = weight_of_ball<dim>(radius);
-  report("  ball", std::abs(weights[0] / ball - 1), 0.02);
-  report("  half", std::abs(weights[1] / (ball / 2) - 1), 0.02);
+  check_below_on_all("  ball", std::abs(weights[0] / ball - 1), 0.02);
+  check_below_on_all("  half", std::abs(weights[1] / (ball / 2) - 1), 0.02);
   if (dim == 3)
-    report("  quarter", std::abs(weights[2] / (ball / 4) - 1), 0.02);
+    check_below_on_all(
+      "  quarter", std::abs(weights[2] / (ball / 4) - 1), 0.02);
 
   const auto stress = cutting_stress(
     YieldParameters::Criterion::mean_shear, stresses, 0.25, MPI_COMM_WORLD);
   // The shear modulus is 5 / 2.4.
   const double expected = 5 / 2.4 * 2 * 5.1;
-  report("  mean shear", std::abs(stress.reached / expected - 1), 0.002);
-  report("  required", std::abs(stress.required - 1.5), 1e-12);
+  check_below_on_all(
+    "  mean shear", std::abs(stress.reached / expected - 1), 0.002);
+  check_below_on_all("  required", std::abs(stress.required - 1.5), 1e-12);
 }
 
 

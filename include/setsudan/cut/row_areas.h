@@ -21,9 +21,9 @@ struct RowArea
 
 /**
  * The area that each row of a cut opens: the strip of the surface from the
- * row's front to that of the next row, the last one to the end.
- *
- * @param n_levels how often the elements are refined at the cut at most.
+ * row's front to that of the next row, the last one to the end. Exact where the
+ * faces are flat parallelograms along the blade's direction; elsewhere the area
+ * is taken as evenly spread over the travel along a quarter of a face.
  */
 template <int dim>
 std::vector<RowArea>
@@ -31,6 +31,5 @@ row_areas(const Body<dim> &body,
           const MaterialParameters<dim> &materials,
           const CutSurface<dim> &surface,
           const BladeEdge<dim> &edge,
-          const std::vector<Row> &rows,
-          const unsigned int n_levels);
+          const std::vector<Row> &rows);
 } // namespace Setsudan

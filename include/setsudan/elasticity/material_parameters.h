@@ -55,6 +55,9 @@ public:
   any_is_mixed() const;
 
   double linear_range;
+  /** Whether the scene names the formulation, rather than leave it to
+   * Poisson's ratio. */
+  bool formulation_is_named;
 
 private:
   std::vector<Material> materials;

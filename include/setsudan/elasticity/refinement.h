@@ -74,13 +74,10 @@ record_refinement(const dealii::Triangulation<dim> &triangulation,
 std::vector<CellPath>
 gather_cells(const std::vector<CellPath> &own, const MPI_Comm communicator);
 
-/** How many cells the mesh of a body has when it is refined so; called by all
- * processes. */
+/** How many cells the mesh of a body has when it is refined so. */
 template <int dim>
 dealii::types::global_cell_index
-count_cells(const CoarseMesh<dim> &mesh,
-            const Refinement &refinement,
-            const MPI_Comm communicator);
+count_cells(const CoarseMesh<dim> &mesh, const Refinement &refinement);
 
 /** Refine an unrefined mesh of the body as recorded. */
 template <int dim>

@@ -88,14 +88,15 @@ public:
   pieces_of_row(const unsigned int row) const;
 
   /** What splitting a row of the newest cut opens. */
-  RowArea
-  area_of_row(const unsigned int row) const;
+  const RowArea &
+  area_of_row(const unsigned int row);
 
   /** K u of a displacement without ghosts. */
   LA::Vector
   internal_forces(const LA::Vector &displacement);
 
   const MPI_Comm communicator;
+  const Refinement refinement;
   CoarseMesh<dim> mesh;
   std::unique_ptr<ElasticModel<dim>> model;
   std::vector<Seam<dim>> seams;
@@ -130,12 +131,13 @@ private:
   make_seam(const BegunCut &begun, const CoarseMesh<dim> &split) const;
 
   const Scene<dim> &scene;
-  const Refinement refinement;
   std::vector<BegunCut> begun_cuts;
   /** The mesh behind the newest cut's surgery, before it is made. */
   CoarseMesh<dim> split;
   /** What the pieces will be when the newest cut has gone through. */
   std::vector<unsigned int> parts;
   std::unique_ptr<PieceMotions<dim>> motions;
+  /** What the newest cut's rows open; empty until somebody asks. */
+  std::vector<RowArea> areas;
 };
 } // namespace Setsudan
