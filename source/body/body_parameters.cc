@@ -7,6 +7,18 @@ namespace Setsudan
 {
 using namespace dealii;
 
+namespace
+{
+ElementType
+element_type_of_word(const std::string &word)
+{
+  return word == "linear"      ? ElementType::linear
+         : word == "quadratic" ? ElementType::quadratic
+                               : ElementType::serendipity;
+}
+} // namespace
+
+
 template <int dim>
 void
 BodyParameters<dim>::declare(ParameterHandler &handler)
@@ -47,6 +59,15 @@ BodyParameters<dim>::declare(ParameterHandler &handler)
                     "0",
                     Patterns::Integer(0, 10),
                     "How often all elements are halved along each axis [-].");
+  Setsudan::declare(handler,
+                    "Body",
+                    "Element type",
+                    "serendipity",
+                    Patterns::Selection("linear|serendipity|quadratic"),
+                    "linear: nodes at the corners only, stiff in bending and "
+                    "cheap; serendipity: in the middle of lines too, the "
+                    "paper's; quadratic: in the middle of faces and of the "
+                    "element too, better in distorted elements and dearer.");
   Transformation<dim>::declare(handler);
 }
 
@@ -58,6 +79,7 @@ BodyParameters<dim>::BodyParameters(const Parameters &parameters)
   , file(parameters.text("Body", "File"))
   , transformation(parameters)
   , refinement(parameters.natural("Body", "Refinement"))
+  , element_type(element_type_of_word(parameters.text("Body", "Element type")))
 {
   parameters.require((shape == Shape::file) == !file.empty(),
                      "Body",

@@ -42,7 +42,7 @@ stresses_at_nodes(const ElasticModel<dim> &model,
   const auto &discretization = model.discretization;
   StrainRecovery<dim> recovery(discretization,
                                model.materials,
-                               node_points<dim>(),
+                               node_points(discretization),
                                recovered ? update_values : update_default);
   FrontStresses stresses;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())

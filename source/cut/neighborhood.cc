@@ -66,11 +66,13 @@ simplices_of_face(const Body<dim> &body, const CellFace &face)
        node < nodes.size();
        ++node)
     if (node_is_on_face<dim>(node, face.second))
-      for (const unsigned int end : vertices_of_node<dim>(node))
-        if constexpr (dim == 3)
-          simplices.push_back({{nodes[end], nodes[node], center}});
-        else
-          simplices.push_back({{nodes[end], nodes[node]}});
+      {
+        for (const unsigned int end : vertices_of_node<dim>(node))
+          if constexpr (dim == 3)
+            simplices.push_back({{nodes[end], nodes[node], center}});
+          else
+            simplices.push_back({{nodes[end], nodes[node]}});
+      }
   return simplices;
 }
 } // namespace

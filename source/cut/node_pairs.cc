@@ -60,6 +60,7 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
         if (range.first == range.second)
           continue;
         const auto nodes  = discretization.node_indices(cell);
+        const auto &units = discretization.nodes();
         const auto points = discretization.points_in_element(cell);
         const auto path   = path_of_cell<dim>(cell).path;
         for (auto it = range.first; it != range.second; ++it)
@@ -68,7 +69,7 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
             const unsigned int face =
               side == 0 ? surface[f].minus.second : surface[f].plus.second;
             for (unsigned int node = 0; node < nodes.size(); ++node)
-              if (node_is_on_face<dim>(node, face))
+              if (units[node][face / 2] == face % 2)
                 {
                   // A refined cell may lie away from its element's face.
                   if (points[node][face / 2] != face % 2)
@@ -96,9 +97,11 @@ class PairBuilder
 {
 public:
   PairBuilder(const CutSurface<dim> &surface,
+              const std::vector<Point<dim>> &nodes,
               const Body<dim> &body,
               const CoarseMesh<dim> &split)
     : surface(surface)
+    , nodes(nodes)
     , body(body)
     , split(split)
   {
@@ -112,8 +115,7 @@ public:
     const CellFace &side     = is_minus ? face.minus : face.plus;
     const CellPath path{side.first, report[2]};
     const unsigned int node = report[3];
-    const auto point =
-      point_in_element<dim>(path, unit_point_of_node<dim>(node));
+    const auto point        = point_in_element<dim>(path, nodes[node]);
     Point<dim> center;
     for (unsigned int d = 0; d < dim; ++d)
       center[d] = d == side.second / 2 ? side.second % 2 : 0.5;
@@ -124,15 +126,15 @@ public:
     Entry &entry        = entries[{report[0], cell_face}][name];
     NodePair<dim> &pair = entry.pair;
     pair.name           = name;
-    pair.is_corner =
-      vertices_of_node<dim>(node)[0] == vertices_of_node<dim>(node)[1];
+    pair.is_corner      = node < GeometryInfo<dim>::vertices_per_cell;
     if (is_minus)
       {
         const auto corners = body.mesh.node_positions(side.first);
-        pair.position =
-          path.path == 1 ? corners[node] : point_of_element(corners, point);
-        pair.normal  = normal_of_face(corners, side.second, point);
-        pair.element = side.first;
+        pair.position      = path.path == 1 && node < corners.size()
+                               ? corners[node]
+                               : point_of_element(corners, point);
+        pair.normal        = normal_of_face(corners, side.second, point);
+        pair.element       = side.first;
       }
     else
       pair.plus_element = side.first;
@@ -186,6 +188,7 @@ public:
 
 private:
   const CutSurface<dim> &surface;
+  const std::vector<Point<dim>> &nodes;
   const Body<dim> &body;
   const CoarseMesh<dim> &split;
   /** A pair as one face has it, and the names of its sides behind the
@@ -210,7 +213,7 @@ collect_surface_nodes(const ElasticModel<dim> &model,
                       const Body<dim> &body,
                       const CoarseMesh<dim> &split)
 {
-  PairBuilder<dim> builder(surface, body, split);
+  PairBuilder<dim> builder(surface, model.discretization.nodes(), body, split);
   for (const auto &reports : Utilities::MPI::all_gather(
          model.discretization.communicator, report_own_sides(model, surface)))
     for (const auto &report : reports)

@@ -4,7 +4,6 @@
 
 #include <setsudan/body/geometry.h>
 #include <setsudan/elasticity/discretization.h>
-#include <setsudan/element/fe_q_serendipity.h>
 
 namespace Setsudan
 {
@@ -13,9 +12,11 @@ using namespace dealii;
 template <int dim>
 Discretization<dim>::Discretization(const CoarseMesh<dim> &mesh,
                                     const Refinement &refinement,
-                                    const MPI_Comm communicator)
+                                    const MPI_Comm communicator,
+                                    const ElementType type)
   : communicator(communicator)
-  , fe(FE_Q_Serendipity<dim>(), dim)
+  , type(type)
+  , fe(*make_element<dim>(type), dim)
   , triangulation(communicator)
   , dof_handler(triangulation)
   , mesh(mesh)
@@ -40,6 +41,27 @@ Discretization<dim>::make_mapping()
       shape = std::make_unique<MappingQ<dim>>(1);
       return;
     }
+  LA::Vector own = curved_positions();
+  // Where linear elements are refined, the fine side's corners lie on the
+  // coarse side's straight lines, and not on the curve.
+  if (type == ElementType::linear)
+    {
+      AffineConstraints<double> hanging(relevant);
+      DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+      hanging.close();
+      hanging.distribute(own);
+    }
+  positions = with_ghosts(own);
+  shape = std::make_unique<MappingFEField<dim, dim, LA::Vector>>(dof_handler,
+                                                                 positions);
+}
+
+
+
+template <int dim>
+LA::Vector
+Discretization<dim>::curved_positions() const
+{
   LA::Vector own = zero_vector();
   for (const auto &cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -51,16 +73,15 @@ Discretization<dim>::make_mapping()
           if (owned.is_element(nodes[node][0]))
             {
               const Point<dim> position =
-                cell->level() == 0 ? of_corner[node]
-                                   : point_of_element(of_corner, points[node]);
+                cell->level() == 0 && node < of_corner.size()
+                  ? of_corner[node]
+                  : point_of_element(of_corner, points[node]);
               for (unsigned int c = 0; c < dim; ++c)
                 own(nodes[node][c]) = position[c];
             }
       }
   own.compress(VectorOperation::insert);
-  positions = with_ghosts(own);
-  shape = std::make_unique<MappingFEField<dim, dim, LA::Vector>>(dof_handler,
-                                                                 positions);
+  return own;
 }
 
 
@@ -96,23 +117,41 @@ Discretization<dim>::element(const Cell &cell) const
 
 
 template <int dim>
-std::array<Point<dim>, n_element_nodes<dim>>
+unsigned int
+Discretization<dim>::n_gauss_points() const
+{
+  return type == ElementType::linear ? 2 : 3;
+}
+
+
+
+template <int dim>
+const std::vector<Point<dim>> &
+Discretization<dim>::nodes() const
+{
+  return fe.base_element(0).get_unit_support_points();
+}
+
+
+
+template <int dim>
+std::vector<Point<dim>>
 Discretization<dim>::points_in_element(const Cell &cell) const
 {
   const CellPath path = path_of_cell<dim>(cell);
-  std::array<Point<dim>, n_element_nodes<dim>> points;
-  for (unsigned int node = 0; node < points.size(); ++node)
-    points[node] = point_in_element<dim>(path, unit_point_of_node<dim>(node));
+  std::vector<Point<dim>> points;
+  for (const auto &node : nodes())
+    points.push_back(point_in_element<dim>(path, node));
   return points;
 }
 
 
 
 template <int dim>
-ElementNodes<dim>
+std::vector<Point<dim>>
 Discretization<dim>::node_positions(const Cell &cell) const
 {
-  ElementNodes<dim> result;
+  std::vector<Point<dim>> result(nodes().size());
   if (mesh.is_curved())
     {
       const auto nodes = node_indices(cell);
@@ -123,6 +162,12 @@ Discretization<dim>::node_positions(const Cell &cell) const
   else
     for (unsigned int node = 0; node < result.size(); ++node)
       {
+        if (node >= n_element_nodes<dim>)
+          {
+            result[node] =
+              shape->transform_unit_to_real_cell(cell, nodes()[node]);
+            continue;
+          }
         const auto ends = vertices_of_node<dim>(node);
         const auto &a   = cell->vertex(ends[0]);
         result[node]    = a + 0.5 * (cell->vertex(ends[1]) - a);
@@ -133,12 +178,12 @@ Discretization<dim>::node_positions(const Cell &cell) const
 
 
 template <int dim>
-std::array<typename Discretization<dim>::NodeIndices, n_element_nodes<dim>>
+std::vector<typename Discretization<dim>::NodeIndices>
 Discretization<dim>::node_indices(const Cell &cell) const
 {
   std::vector<Index> indices(fe.n_dofs_per_cell());
   cell->get_dof_indices(indices);
-  std::array<NodeIndices, n_element_nodes<dim>> nodes;
+  std::vector<NodeIndices> nodes(fe.base_element(0).n_dofs_per_cell());
   for (unsigned int node = 0; node < nodes.size(); ++node)
     for (unsigned int c = 0; c < dim; ++c)
       nodes[node][c] = indices[fe.component_to_system_index(c, node)];

@@ -13,9 +13,10 @@ ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
                                 const Supports<dim> &supports_of_body,
                                 const LoadParameters<dim> &load_parameters,
                                 const MaterialParameters<dim> &materials,
-                                const MPI_Comm communicator)
+                                const MPI_Comm communicator,
+                                const ElementType element_type)
   : materials(materials)
-  , discretization(mesh, refinement, communicator)
+  , discretization(mesh, refinement, communicator, element_type)
   , stiffness(discretization, materials)
   , hanging(discretization.relevant)
   , supports(discretization.relevant)

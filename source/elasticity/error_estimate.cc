@@ -30,7 +30,7 @@ estimate_error(const ElasticModel<dim> &model,
   const auto &discretization = model.discretization;
   StrainRecovery<dim> recovery(discretization,
                                model.materials,
-                               gauss_points<dim>(),
+                               gauss_points(discretization),
                                update_values | update_JxW_values);
   ErrorEstimate estimate;
   estimate.squares.reinit(discretization.triangulation.n_active_cells());

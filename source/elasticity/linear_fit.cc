@@ -6,7 +6,8 @@ using namespace dealii;
 
 template <int dim>
 LinearFit<dim>::LinearFit(const std::vector<Point<dim>> &points,
-                          const std::vector<double> &weights)
+                          const std::vector<double> &weights,
+                          const bool is_constant)
   : points(points)
   , weights(weights)
 {
@@ -24,7 +25,8 @@ LinearFit<dim>::LinearFit(const std::vector<Point<dim>> &points,
   for (unsigned int q = 0; q < points.size(); ++q)
     second_moment +=
       weights[q] * outer_product(points[q] - center, points[q] - center);
-  inverse_second_moment = invert(second_moment);
+  if (!is_constant)
+    inverse_second_moment = invert(second_moment);
 }
 
 

@@ -40,13 +40,13 @@ add_distributed_loads(const Discretization<dim> &discretization,
 {
   FEValues<dim> fe_values(discretization.mapping(),
                           discretization.fe,
-                          QGauss<dim>(3),
+                          QGauss<dim>(discretization.n_gauss_points()),
                           update_values | update_JxW_values);
-  FEFaceValues<dim> face_values(discretization.mapping(),
-                                discretization.fe,
-                                QGauss<dim - 1>(3),
-                                update_values | update_JxW_values |
-                                  update_normal_vectors);
+  FEFaceValues<dim> face_values(
+    discretization.mapping(),
+    discretization.fe,
+    QGauss<dim - 1>(discretization.n_gauss_points()),
+    update_values | update_JxW_values | update_normal_vectors);
   dealii::Vector<double> cell_forces(discretization.fe.n_dofs_per_cell());
   std::vector<Index<dim>> indices(discretization.fe.n_dofs_per_cell());
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())

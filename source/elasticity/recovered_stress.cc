@@ -4,6 +4,7 @@
 #include <setsudan/elasticity/patch_fit.h>
 #include <setsudan/elasticity/recovered_stress.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -31,9 +32,8 @@ components()
 template <int dim>
 struct Sampled
 {
-  std::array<typename Discretization<dim>::NodeIndices, n_element_nodes<dim>>
-    indices;
-  ElementNodes<dim> positions;
+  std::vector<typename Discretization<dim>::NodeIndices> indices;
+  std::vector<Point<dim>> positions;
   std::vector<Point<dim>> points;
   std::vector<SymmetricTensor<2, 3>> stresses;
 };
@@ -48,8 +48,11 @@ sample_cells(const ElasticModel<dim> &model,
              const LA::Vector &displacement)
 {
   const auto &discretization = model.discretization;
-  StrainRecovery<dim> recovery(
-    discretization, model.materials, QGauss<dim>(2), update_quadrature_points);
+  // Where the stress of linear or quadratic elements is of a higher order.
+  StrainRecovery<dim> recovery(discretization,
+                               model.materials,
+                               QGauss<dim>(discretization.n_gauss_points() - 1),
+                               update_quadrature_points);
   std::vector<Sampled<dim>> cells;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (!cell->is_artificial() &&
@@ -178,10 +181,26 @@ private:
 
 
 
+/** Whether a node lies on the near half of the cell, as a vertex sees it. */
+template <int dim>
+bool
+is_near_vertex(const Point<dim> &node, const unsigned int vertex)
+{
+  bool is_near = true;
+  for (unsigned int d = 0; d < dim; ++d)
+    is_near =
+      is_near &&
+      std::abs(node[d] - GeometryInfo<dim>::unit_cell_vertex(vertex)[d]) < 0.75;
+  return is_near;
+}
+
+
+
 /** Hand the stress of a patch to the nodes of its cells. */
 template <int dim, std::size_t n_vectors>
 void
 add_patch(const std::vector<Sampled<dim>> &cells,
+          const std::vector<Point<dim>> &nodes,
           const Patch<dim> &patch,
           const unsigned int n_functions,
           NodeMeans<dim, n_vectors> &means)
@@ -190,12 +209,11 @@ add_patch(const std::vector<Sampled<dim>> &cells,
   const bool is_complete = patch.fit.n_functions() == n_functions;
   std::set<types::global_dof_index> done;
   for (const auto &[c, vertex] : patch.cells)
-    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+    for (unsigned int node = 0; node < nodes.size(); ++node)
       {
         if (!done.insert(cells[c].indices[node][0]).second)
           continue;
-        const auto ends    = vertices_of_node<dim>(node);
-        const bool is_own  = ends[0] == vertex || ends[1] == vertex;
+        const bool is_own  = is_near_vertex(nodes[node], vertex);
         const auto weights = patch.fit.weights_at(cells[c].positions[node]);
         SymmetricTensor<2, 3> stress;
         auto weight = weights.begin();
@@ -250,7 +268,7 @@ RecoveredStress<dim>::recover(const unsigned int material,
   n_functions = Utilities::MPI::max(n_functions, discretization.communicator);
   NodeMeans<dim, n_vectors> means(discretization);
   for (const auto &patch : patches)
-    add_patch(cells, patch, n_functions, means);
+    add_patch(cells, discretization.nodes(), patch, n_functions, means);
   Field field = means.finish();
   for (auto &vector : field)
     {

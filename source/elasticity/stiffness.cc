@@ -4,6 +4,7 @@
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/vector.h>
 
+#include <setsudan/elasticity/dilatation.h>
 #include <setsudan/elasticity/stiffness.h>
 
 #include <limits>
@@ -21,7 +22,7 @@ ElementStiffness<dim>::ElementStiffness(
   , fe_values(
       discretization.mapping(),
       discretization.fe,
-      QGauss<dim>(3),
+      QGauss<dim>(discretization.n_gauss_points()),
       update_gradients | update_JxW_values |
         (materials.any_is_mixed() ? update_quadrature_points : update_default))
   , matrix(discretization.fe.n_dofs_per_cell())
@@ -138,8 +139,7 @@ ElementStiffness<dim>::dilatations(const bool are_projected) const
       values[i][q] = fe_values[displacement].divergence(i, q);
   if (are_projected)
     {
-      const LinearFit<dim> fit(fe_values.get_quadrature_points(),
-                               fe_values.get_JxW_values());
+      const auto fit = dilatation_fit(discretization.type, fe_values);
       for (auto &of_function : values)
         {
           const auto projected = fit(of_function);

@@ -13,21 +13,18 @@ using namespace dealii;
 
 template <int dim>
 Quadrature<dim>
-node_points()
+node_points(const Discretization<dim> &discretization)
 {
-  std::vector<Point<dim>> points;
-  for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
-    points.push_back(unit_point_of_node<dim>(node));
-  return Quadrature<dim>(points);
+  return Quadrature<dim>(discretization.nodes());
 }
 
 
 
 template <int dim>
 Quadrature<dim>
-gauss_points()
+gauss_points(const Discretization<dim> &discretization)
 {
-  return QGauss<dim>(3);
+  return QGauss<dim>(discretization.n_gauss_points());
 }
 
 
@@ -154,9 +151,10 @@ find_extremes(const Discretization<dim> &discretization,
               const MaterialParameters<dim> &materials,
               const LA::Vector &displacement)
 {
-  StrainRecovery<dim> at_nodes(discretization, materials, node_points<dim>());
+  StrainRecovery<dim> at_nodes(
+    discretization, materials, node_points(discretization));
   StrainRecovery<dim> at_gauss_points(
-    discretization, materials, gauss_points<dim>());
+    discretization, materials, gauss_points(discretization));
   DeformationExtremes extremes{std::numeric_limits<double>::max(), 0, 0, 0};
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -193,13 +191,13 @@ find_extremes(const Discretization<dim> &discretization,
 
 
 template Quadrature<2>
-node_points();
+node_points(const Discretization<2> &);
 template Quadrature<3>
-node_points();
+node_points(const Discretization<3> &);
 template Quadrature<2>
-gauss_points();
+gauss_points(const Discretization<2> &);
 template Quadrature<3>
-gauss_points();
+gauss_points(const Discretization<3> &);
 template class StrainRecovery<2>;
 template class StrainRecovery<3>;
 template DeformationExtremes

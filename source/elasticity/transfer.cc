@@ -11,8 +11,7 @@ using namespace dealii;
 
 namespace
 {
-template <int dim>
-using CellValues = std::array<double, n_element_nodes<dim> * dim>;
+using CellValues = std::vector<double>;
 
 /** The process at which a cell's values are left and asked for: the processes
  * of the two meshes know nothing of each other's cells but their names. */
@@ -24,20 +23,18 @@ meeting_place(const CellPath &path, const MPI_Comm communicator)
 
 /** The values on the cells of this process. */
 template <int dim>
-std::map<unsigned int, std::vector<std::pair<CellPath, CellValues<dim>>>>
+std::map<unsigned int, std::vector<std::pair<CellPath, CellValues>>>
 collect_values(const Discretization<dim> &discretization,
                const LA::Vector &displacement)
 {
-  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues<dim>>>>
-    values;
+  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues>>> values;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        CellValues<dim> of_cell;
-        unsigned int i = 0;
+        CellValues of_cell;
         for (const auto &node : discretization.node_indices(cell))
           for (const auto index : node)
-            of_cell[i++] = displacement(index);
+            of_cell.push_back(displacement(index));
         const CellPath path = path_of_cell<dim>(cell);
         values[meeting_place(path, discretization.communicator)].emplace_back(
           path, of_cell);
@@ -46,27 +43,24 @@ collect_values(const Discretization<dim> &discretization,
 }
 
 /** The values of the cells that each process asks for. */
-template <int dim>
-std::map<CellPath, CellValues<dim>>
-exchange(
-  const std::map<unsigned int,
-                 std::vector<std::pair<CellPath, CellValues<dim>>>> &values,
-  const std::map<unsigned int, std::vector<CellPath>> &wanted,
-  const MPI_Comm communicator)
+std::map<CellPath, CellValues>
+exchange(const std::map<unsigned int,
+                        std::vector<std::pair<CellPath, CellValues>>> &values,
+         const std::map<unsigned int, std::vector<CellPath>> &wanted,
+         const MPI_Comm communicator)
 {
-  std::map<CellPath, CellValues<dim>> left_here;
+  std::map<CellPath, CellValues> left_here;
   for (const auto &[rank, cells] :
        Utilities::MPI::some_to_some(communicator, values))
     left_here.insert(cells.begin(), cells.end());
 
-  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues<dim>>>>
-    answers;
+  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues>>> answers;
   for (const auto &[rank, paths] :
        Utilities::MPI::some_to_some(communicator, wanted))
     for (const auto &path : paths)
       answers[rank].emplace_back(path, left_here.at(path));
 
-  std::map<CellPath, CellValues<dim>> result;
+  std::map<CellPath, CellValues> result;
   for (const auto &[rank, cells] :
        Utilities::MPI::some_to_some(communicator, answers))
     result.insert(cells.begin(), cells.end());
@@ -89,7 +83,7 @@ transfer(const Discretization<dim> &from,
         wanted[meeting_place(path, to.communicator)].push_back(path);
       }
   const auto values =
-    exchange<dim>(collect_values(from, displacement), wanted, to.communicator);
+    exchange(collect_values(from, displacement), wanted, to.communicator);
 
   LA::Vector result = to.zero_vector();
   for (const auto &cell : to.dof_handler.active_cell_iterators())

@@ -161,8 +161,9 @@ FrameWriter<dim>::write(const unsigned int frame,
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = true;
   data_out.set_flags(flags);
-  data_out.build_patches(
-    discretization.mapping(), 2, DataOut<dim>::curved_inner_cells);
+  data_out.build_patches(discretization.mapping(),
+                         discretization.type == ElementType::linear ? 1 : 2,
+                         DataOut<dim>::curved_inner_cells);
 
   const MPI_Comm communicator = discretization.communicator;
   const unsigned int rank     = Utilities::MPI::this_mpi_process(communicator);

@@ -84,7 +84,7 @@ collect_own_records(const Body<dim> &body,
   const auto signs           = collect_signs(seams);
   const auto &discretization = model.discretization;
   StrainRecovery<dim> recovery(
-    discretization, model.materials, node_points<dim>());
+    discretization, model.materials, node_points(discretization));
   NodeRecords records;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())

@@ -104,14 +104,21 @@ gather_displacements(const Discretization<dim> &discretization,
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        const auto points = discretization.points_in_element(cell);
-        const auto nodes  = discretization.node_indices(cell);
-        for (unsigned int n = 0; n < nodes.size(); ++n)
-          if (const auto node = node_at(points[n]))
+        const CellPath path = path_of_cell<dim>(cell);
+        const auto nodes    = discretization.node_indices(cell);
+        for (unsigned int n = 0; n < n_element_nodes<dim>; ++n)
+          if (const auto node = node_at(
+                point_in_element<dim>(path, unit_point_of_node<dim>(n))))
             {
+              // A linear element has straight lines, whose middles these are.
+              const auto ends = n < nodes.size()
+                                  ? std::array<unsigned int, 2>{{n, n}}
+                                  : vertices_of_node<dim>(n);
               Tensor<1, dim> u;
               for (unsigned int c = 0; c < dim; ++c)
-                u[c] = displacement(nodes[n][c]);
+                u[c] = (displacement(nodes[ends[0]][c]) +
+                        displacement(nodes[ends[1]][c])) /
+                       2;
               own.emplace_back(discretization.element(cell), *node, u);
             }
       }

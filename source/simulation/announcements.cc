@@ -21,7 +21,11 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
   const auto n_cells = discretization.triangulation.n_global_active_cells();
   const auto solver  = make_linear_solver(scene.solver, n_unknowns);
   std::ostringstream line;
-  line << "Body: " << dim << "D, " << n_elements << " elements"
+  const std::string type =
+    scene.shape.element_type == ElementType::linear      ? " linear"
+    : scene.shape.element_type == ElementType::quadratic ? " quadratic"
+                                                         : "";
+  line << "Body: " << dim << "D, " << n_elements << type << " elements"
        << (scene.body.mesh.is_curved() ? " with curved sides, " : ", ")
        << scene.body.n_nodes() << " nodes, ";
   if (n_cells > n_elements)

@@ -51,7 +51,8 @@ CutBody<dim>::rebuild()
                                               scene.supports,
                                               scene.loads,
                                               scene.material,
-                                              communicator);
+                                              communicator,
+                                              scene.shape.element_type);
   if (scene.supports.drop_loose_pieces())
     for (const auto &loose : loose_pieces)
       remove_loads_from_piece(labels.piece, loose, *model);

@@ -150,6 +150,11 @@ Scene<dim>::Scene(const Parameters &parameters)
   , output(parameters)
 {
   check_supports(parameters, body, supports);
+  parameters.require(!output.calculix_decks ||
+                       shape.element_type == ElementType::serendipity,
+                     "Output",
+                     "CalculiX decks",
+                     "false with another Body/Element type than serendipity");
   parameters.require(
     !(output.calculix_decks && material.any_is_mixed()),
     "Output",

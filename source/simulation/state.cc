@@ -87,8 +87,11 @@ template <int dim>
 State<dim>
 rest_state(const CutBody<dim> &body)
 {
-  const LA::Vector zero = body.model->discretization.zero_vector();
-  return {zero, zero, zero, zero};
+  State<dim> state;
+  for (LA::Vector *part :
+       {&state.displacement, &state.opening, &state.forces, &state.internal})
+    *part = body.model->discretization.zero_vector();
+  return state;
 }
 
 

@@ -29,7 +29,7 @@ compare(SolvedModel<dim> &solved,
   const auto &discretization = solved.model.discretization;
   const LA::Vector u         = discretization.with_ghosts(solved.displacement);
   StrainRecovery<dim> recovery(
-    discretization, solved.material, node_points<dim>());
+    discretization, solved.material, node_points(discretization));
   double u_error = 0, u_max = 0, stress_error = 0, stress_max = 0;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     {

@@ -37,7 +37,8 @@ test_linear(const CoarseMesh<dim> &mesh)
     discretization, [&](const Point<dim> &p) { return gradient * p; }));
   const auto material           = material_of(mesh, 5., 0.3);
   double error = 0, farthest = 0;
-  for (const auto &quadrature : {node_points<dim>(), gauss_points<dim>()})
+  for (const auto &quadrature :
+       {node_points(discretization), gauss_points(discretization)})
     {
       StrainRecovery<dim> recovery(discretization, material, quadrature);
       for (const auto &cell :

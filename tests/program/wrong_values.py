@@ -26,6 +26,7 @@ WRONG_VALUES = {
         ("Dimension", "4", "2 (plane strain) or 3"),
         ("Dimension", "three", "2 (plane strain) or 3"),
         ("Body/Shape", "sphere", "box"),
+        ("Body/Element type", "cubic", "quadratic"),
         ("Body/File", "body.msh", "nothing with box"),
         ("Body/File", "missing.msh", "a gmsh file that can be used", A_FILE),
         ("Body/File", "scene.prm", "a gmsh file that can be used", A_FILE),

@@ -20,15 +20,16 @@ def closed_form(poissons_ratio, r):
             ((1 - 2 * poissons_ratio) * r + b * b / r))
 
 
-def make_body():
-    """Nine sectors of 10 degrees, with sides that follow the circles."""
+def make_body(n=1):
+    """Nine sectors of 10 degrees, with sides that follow the circles; or n times as many
+    elements each way."""
     body = Body(2)
     for inner, outer in zip(RADII, RADII[1:]):
         def place(across, along):
             r = inner + across * (outer - inner)
             angle = along * math.pi / 2
             return r * math.cos(angle), r * math.sin(angle)
-        body.add_block((1, 9), place)
+        body.add_block((n, 9 * n), place)
     body.add_group("inner", lambda x, y: near(math.hypot(x, y), RADII[0]))
     body.add_group("x axis", lambda x, y: near(y, 0))
     body.add_group("y axis", lambda x, y: near(x, 0))
@@ -45,6 +46,16 @@ def rows(options, _):
             yield Row(f"u at the inside, ν = {poissons_ratio}, {formulation} formulation",
                       "5 × 9, plane strain", closed_form(poissons_ratio, RADII[0]),
                       state.at((RADII[0], 0), "ux"), .0001, expected=expected)
+    # Linear elements have straight sides, and are of order 2.
+    for element_type, n, bound in (("linear", 1, .02), ("linear", 4, .002),
+                                   ("quadratic", 1, .0001)):
+        state = solve(options, {
+            **material(YOUNGS_MODULUS, .4999), "Load/Pressures": "inner : 1",
+            "Body/Element type": element_type,
+            "Support/Fixed components": "x axis : y; y axis : x"}, make_body(n))
+        yield Row("u at the inside, ν = 0.4999, mixed formulation",
+                  f"{5 * n} × {9 * n} {element_type}, plane strain",
+                  closed_form(.4999, RADII[0]), state.at((RADII[0], 0), "ux"), bound)
 
 
 CASE = Case(

@@ -7,6 +7,8 @@ from problems import Case, Row, material, solve
 YOUNGS_MODULUS, POISSONS_RATIO = 1, 1 / 3
 # How far the ratio may be from 1 on n × n elements.
 BOUNDS = {2: .06, 4: .015, 8: .005, 16: .002, 32: .0015}
+# What linear elements are known to give.
+LINEAR = {2: 11.845, 4: 18.299, 8: 22.079, 16: 23.430, 32: 23.817}
 
 
 def make_body(n):
@@ -20,10 +22,20 @@ def make_body(n):
 def rows(options, _):
     nu = POISSONS_RATIO
     plane = material(repr(YOUNGS_MODULUS * (1 + 2 * nu) / (1 + nu) ** 2), nu / (1 + nu))
-    for n, bound in BOUNDS.items():
-        state = solve(options, {**plane, "Support/Fixed faces": "left",
+
+    def tip(n, element_type):
+        state = solve(options, {**plane, "Body/Element type": element_type,
+                                "Support/Fixed faces": "left",
                                 "Load/Tractions": f"right : 0, {1 / 16}"}, make_body(n))
-        yield Row("v at (48, 52)", f"{n} × {n}", 23.96, state.at((48, 52), "uy"), bound)
+        return state.at((48, 52), "uy")
+
+    for element_type in ("serendipity", "quadratic"):
+        for n, bound in BOUNDS.items():
+            yield Row("v at (48, 52)", f"{n} × {n} {element_type}", 23.96,
+                      tip(n, element_type), bound)
+    for n, expected in LINEAR.items():
+        yield Row("v at (48, 52)", f"{n} × {n} linear", 23.96, tip(n, "linear"), .0002,
+                  expected=expected / 23.96)
 
 
 CASE = Case(

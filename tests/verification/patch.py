@@ -47,9 +47,14 @@ def rows(options, _):
         for side, sign in ((0, -1), (1, 1)):
             tractions.append(f"face{axis}{side} : " +
                              ", ".join(str(sign * s) for s in stress))
+    for element_type in ("linear", "serendipity", "quadratic"):
+        yield from rows_of_type(options, element_type, tractions)
+
+
+def rows_of_type(options, element_type, tractions):
     ux, uy = displacement((1, 0, 0)), displacement((0, 1, 0))
     state = solve(options, {
-        **material(1e6, .25),
+        **material(1e6, .25), "Body/Element type": element_type,
         "Support/Displacements": "origin : 0, 0, 0; "
         f"x : free, {ux[1]}, {ux[2]}; y : free, free, {uy[2]}",
         "Load/Tractions": "; ".join(tractions)}, make_body())
@@ -59,7 +64,7 @@ def rows(options, _):
         return max((float(node[column]) for node in state.nodes),
                    key=lambda value: abs(value - expected))
 
-    mesh = "7, one vertex moved"
+    mesh = f"7 {element_type}, one vertex moved"
     for column, expected in (("sxx", NORMAL), ("syz", SHEAR)):
         yield Row(f"{column}, the node that is farthest off", mesh, expected,
                   farthest(column, expected), 1e-9)

@@ -2,6 +2,7 @@
 
 #include <setsudan/body/body.h>
 #include <setsudan/body/transformation.h>
+#include <setsudan/element/element_type.h>
 #include <setsudan/parameters/parameters.h>
 
 #include <string>
@@ -25,6 +26,7 @@ struct BodyParameters
   Transformation<dim> transformation;
   /** How often all elements are halved along each axis. */
   unsigned int refinement;
+  ElementType element_type;
 
   static void
   declare(dealii::ParameterHandler &handler);

@@ -9,10 +9,16 @@
 
 namespace Setsudan
 {
+/** The projection of a cell's divergences: linear, but constant for linear
+ * elements, which would lock otherwise. */
+template <int dim>
+LinearFit<dim>
+dilatation_fit(const ElementType type, const dealii::FEValues<dim> &fe_values);
+
 /**
  * The dilatation (change of volume per volume, the trace of the strain) of a
  * cell as the mixed formulation has it: the L2 projection of the displacement's
- * divergence onto linear functions of position.
+ * divergence onto linear functions of position (see dilatation_fit()).
  *
  * A cell that must keep its volume at each of 27 Gauss points can hardly deform
  * (it locks as Poisson's ratio nears 1/2); one that must keep it in the 4
@@ -36,6 +42,7 @@ public:
   operator()(const Cell &cell, const LA::Vector &displacement);
 
 private:
+  const ElementType type;
   dealii::FEValues<dim> fe_values;
   std::vector<double> divergences;
 };

@@ -12,6 +12,7 @@
 #include <setsudan/body/supports.h>
 #include <setsudan/elasticity/linear_algebra.h>
 #include <setsudan/elasticity/refinement.h>
+#include <setsudan/element/element_type.h>
 
 #include <array>
 #include <memory>
@@ -20,9 +21,8 @@
 namespace Setsudan
 {
 /**
- * The finite element space of the displacement on one mesh: serendipity
- * elements, distributed over the processes. A new one is made when the mesh
- * is cut.
+ * The finite element space of the displacement on one mesh, distributed over
+ * the processes. A new one is made when the mesh is cut.
  */
 template <int dim>
 class Discretization
@@ -38,7 +38,8 @@ public:
    * moves no node. */
   Discretization(const CoarseMesh<dim> &mesh,
                  const Refinement &refinement,
-                 const MPI_Comm communicator);
+                 const MPI_Comm communicator,
+                 const ElementType type = ElementType::serendipity);
 
   /** The element of the body that `cell` is. */
   unsigned int
@@ -51,15 +52,25 @@ public:
   const dealii::Mapping<dim> &
   mapping() const;
 
+  /** The points of Gauss's rule along each direction of a cell, with which
+   * matrices and loads are integrated: exactly in parallelepipeds. */
+  unsigned int
+  n_gauss_points() const;
+
+  /** The nodes of all cells in reference coordinates: those of nodes.h as far
+   * as the type has them, then others. */
+  const std::vector<dealii::Point<dim>> &
+  nodes() const;
+
   /** The nodes of a cell in the reference coordinates of its element. */
-  std::array<dealii::Point<dim>, n_element_nodes<dim>>
+  std::vector<dealii::Point<dim>>
   points_in_element(const Cell &cell) const;
 
-  ElementNodes<dim>
+  std::vector<dealii::Point<dim>>
   node_positions(const Cell &cell) const;
 
-  /** The unknowns of every node of a cell, nodes in the order of nodes.h. */
-  std::array<NodeIndices, n_element_nodes<dim>>
+  /** The unknowns of every node of a cell. */
+  std::vector<NodeIndices>
   node_indices(const Cell &cell) const;
 
   /** A vector of which each process holds its own part, all zero. */
@@ -82,6 +93,7 @@ public:
   sites() const;
 
   const MPI_Comm communicator;
+  const ElementType type;
   const dealii::FESystem<dim> fe;
   dealii::parallel::distributed::Triangulation<dim> triangulation;
   dealii::DoFHandler<dim> dof_handler;
@@ -91,6 +103,10 @@ public:
 private:
   void
   make_mapping();
+
+  /** Positions of the nodes of a body with curved sides, without ghosts. */
+  LA::Vector
+  curved_positions() const;
 
   void
   find_sites();

@@ -19,7 +19,8 @@ struct ElasticModel
                const Supports<dim> &supports,
                const LoadParameters<dim> &load_parameters,
                const MaterialParameters<dim> &materials,
-               const MPI_Comm communicator);
+               const MPI_Comm communicator,
+               const ElementType element_type = ElementType::serendipity);
 
   const MaterialParameters<dim> &materials;
   Discretization<dim> discretization;

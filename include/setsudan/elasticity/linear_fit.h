@@ -22,15 +22,17 @@ struct LinearFunction
   }
 };
 
-/** The linear function that is nearest to values at weighted points: with the
- * points and weights of a quadrature, the L2 projection. */
+/** The linear (or constant) function that is nearest to values at weighted
+ * points: with the points and weights of a quadrature, the L2 projection. */
 template <int dim>
 class LinearFit
 {
 public:
-  /** @param weights greater than 0; the points do not lie in one plane. */
+  /** @param weights greater than 0; the points do not lie in one plane.
+   * @param is_constant whether the function is to have no slope. */
   LinearFit(const std::vector<dealii::Point<dim>> &points,
-            const std::vector<double> &weights);
+            const std::vector<double> &weights,
+            const bool is_constant = false);
 
   LinearFunction<dim>
   operator()(const std::vector<double> &values) const;
@@ -42,6 +44,7 @@ private:
    * and has nothing to do with its slope. */
   dealii::Point<dim> center;
   double volume = 0;
+  /** 0, where the function is constant. */
   dealii::Tensor<2, dim> inverse_second_moment;
 };
 } // namespace Setsudan

@@ -14,11 +14,11 @@ namespace Setsudan
 /** Where in a cell stress is asked for: its nodes, or its Gauss points. */
 template <int dim>
 dealii::Quadrature<dim>
-node_points();
+node_points(const Discretization<dim> &discretization);
 
 template <int dim>
 dealii::Quadrature<dim>
-gauss_points();
+gauss_points(const Discretization<dim> &discretization);
 
 /**
  * Displacement gradients of a cell, and the strain and stress that follow
