@@ -36,7 +36,8 @@ struct SmallModel : SmallBody<dim>
             this->supports,
             loads,
             material,
-            MPI_COMM_WORLD)
+            MPI_COMM_WORLD,
+            BodyParameters<dim>(parameters).element_type)
   {
   }
 

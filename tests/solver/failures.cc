@@ -57,7 +57,7 @@ test_loose_body(const std::string &n_elements, const std::string &method)
 void
 test_choice()
 {
-  for (const std::string &method : {"auto", "direct", "iterative"})
+  for (const std::string method : {"auto", "direct", "iterative"})
     {
       const SolverParameters parameters(
         parameters_of({"Solver/Method=" + method, "Solver/Direct up to=20000"},

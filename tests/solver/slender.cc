@@ -15,7 +15,7 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    for (const std::string &method : {"direct", "iterative"})
+    for (const std::string method : {"direct", "iterative"})
       {
         const SolvedModel<3> solved({"Body/Size=6, 0.2, 0.1",
                                      "Body/Elements=6, 1, 1",
