@@ -94,7 +94,9 @@ describe_state(const Scene<dim> &scene,
                  "residuals of force and moment are "
               << balance.force_residual << " and " << balance.moment_residual
               << " and must not exceed " << tolerance
-              << ". Lower Solver/Tolerance or set Solver/Method = direct.";
+              << ". Lower Solver/Tolerance or set Solver/Method = direct; if "
+                 "that does not help, round-off has taken the digits, since "
+                 "the body is too slender or its stiffness too uneven.";
       throw SolverError(message.str());
     }
 }

@@ -144,6 +144,22 @@ make_state(const Scene<dim> &scene,
 
 
 template <int dim>
+double
+unbalanced_part(const CutBody<dim> &body,
+                const BladeLoad<dim> &blade,
+                const State<dim> &state)
+{
+  LA::Vector forces = body.model->loads;
+  forces.add(state.load_factor, blade.nodal_forces);
+  forces -= state.internal;
+  const double all        = state.internal.l2_norm();
+  const double unbalanced = condense(body.constraints(), forces).l2_norm();
+  return all > 0 ? unbalanced / all : unbalanced;
+}
+
+
+
+template <int dim>
 State<dim>
 solve_state(const Scene<dim> &scene,
             CutBody<dim> &body,
@@ -230,6 +246,8 @@ make_state(const Scene<2> &,
            const BladeLoad<2> &,
            const double,
            const LA::Vector &);
+template double
+unbalanced_part(const CutBody<2> &, const BladeLoad<2> &, const State<2> &);
 template State<2>
 solve_state(const Scene<2> &,
             CutBody<2> &,
@@ -257,6 +275,8 @@ make_state(const Scene<3> &,
            const BladeLoad<3> &,
            const double,
            const LA::Vector &);
+template double
+unbalanced_part(const CutBody<3> &, const BladeLoad<3> &, const State<3> &);
 template State<3>
 solve_state(const Scene<3> &,
             CutBody<3> &,

@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 
+import distortion
+
 PROGRAM = None
 TIME_LIMIT = 300
 CUBE = {
@@ -189,6 +191,26 @@ def shape_cases(table):
                                   **{"Body/Elements": "30,30,1"}), 1e-7)
 
 
+def rod_cases(table):
+    """Rods that are cut, lengthwise and across, of one element across each half."""
+    rod = {"Body/Size": "1, 1, 1000", "Body/Elements": "2, 1, 1000",
+           "Support/Fixed faces": "bottom, top", "Blade/Sharpness": "1",
+           "Blade/Thickness": "0.001", "Blade/Direction": "0, 0, -1",
+           "Blade/Edge loads": "0.5 : 1e-4", "Output/Frames": "none"}
+    table.add("elements", "a rod of 2 x 1 x 1000, cut lengthwise 20 deep", "it goes through",
+              lambda: float(accepted(Run({**rod, "Support/Fixed faces": "bottom",
+                                          "Cut/Surfaces": "x:1", "Cut/Extent": "depth : 20"}))
+                            .events[-1]["event"] != "divide"), 0)
+    across = {**rod, "Cut/Surfaces": "z:500", "Blade/Direction": "1, 0, 0"}
+    table.add("elements", "a rod of 2 x 1 x 1000, 100 long and 1 wide, cut across",
+              "two pieces", lambda: float(
+                  accepted(Run({**across, "Body/Size": "1, 1, 100"}))
+                  .events[-1]["pieces"] != "2"), 0)
+    table.add("elements", "a rod of 2 x 1 x 1000, 1000 long and 1 wide, cut across",
+              "refusal: it bends 10^8 times as easily as it stretches",
+              lambda: refusal(Run(across)))
+
+
 def blade_cases(table, base):
     def thickness_law(value):
         a, b, c = (all_displacements(r) for r in (
@@ -307,6 +329,8 @@ def main():
     base = accepted(Run(CUBE))
     stiffness_cases(table, base)
     shape_cases(table)
+    distortion.cases(table, Run, accepted, refusal, tempfile.TemporaryDirectory)
+    rod_cases(table)
     blade_cases(table, base)
     contrast_cases(table)
     symmetry_cases(table)

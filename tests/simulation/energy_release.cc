@@ -77,10 +77,11 @@ test(const std::vector<SceneEntry> &more)
   };
   const double area            = body.area_of_row(row).area;
   const double released_energy = tied.stress.reached * area;
+  // Two large numbers, of which few digits remain where rows are fine.
   check_below_on_all(
     "  difference of energies",
     std::abs((energy(tied) - energy(released)) / released_energy - 1),
-    1e-9);
+    1e-8);
   check_below_on_all(
     "  work of the ties",
     std::abs(work_of_ties(body, row, tied, released.displacement) /
@@ -133,8 +134,8 @@ main(int argc, char **argv)
     test<2>({});
     say("2D, refined near the cut");
     test<2>({{"Cut", "Refinement near cut", "1", ""}});
-    say("2D, five levels near the cut");
-    test<2>({{"Cut", "Refinement near cut", "5", ""}});
+    say("2D, two levels near the cut");
+    test<2>({{"Cut", "Refinement near cut", "2", ""}});
     say("3D");
     test<3>({});
     say("3D, rows of elements");

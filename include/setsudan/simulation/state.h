@@ -74,6 +74,14 @@ make_state(const Scene<dim> &scene,
            const double load_factor,
            const LA::Vector &displacement);
 
+/** How much of the forces is not in equilibrium with K u under the body's
+ * present constraints, relative to all nodal forces of the elements. */
+template <int dim>
+double
+unbalanced_part(const CutBody<dim> &body,
+                const BladeLoad<dim> &blade,
+                const State<dim> &state);
+
 /**
  * Solve for the body under its loads and `load_factor` times the blade.
  *

@@ -1,0 +1,159 @@
+"""The runs of the trade: scenes, what is varied, and how one is timed."""
+
+import csv
+import dataclasses
+import pathlib
+import subprocess
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
+# A run that takes longer than this many seconds is given up.
+LIMIT = 240
+
+
+@dataclasses.dataclass
+class Scene:
+    """A scene that is run until half of its cut is made, where a quantity of the
+    statistics is compared with that of a much finer mesh."""
+
+    name: str
+    quantity: str
+    column: str
+    depth: float
+    elements: tuple
+    # How often the elements are halved for the reference, of serendipity and of
+    # quadratic elements.
+    references: tuple
+    # The same in plane strain, and by what its quantity is multiplied.
+    plane: dict
+    width: float = 1.0
+
+
+SCENES = [
+    Scene("peel", "strain energy", "strain_energy", 10, (10, 2, 2),
+          ((0, 1, 2), (0, 1, 2)), {
+        "Dimension": "2", "Body/Size": "20, 2", "Load/Tractions": "top : 0, 0.02",
+        "Blade/Direction": "1, 0", "Cut/Surfaces": "plane: 0, 1; 0, 1"}, 4),
+    Scene("blade", "cutting stress (mean shear)", "cutting_stress", 5, (2, 2, 2),
+          ((1, 2, 3), (1, 2, 3)), {
+        "Dimension": "2", "Body/Size": "10, 10", "Blade/Direction": "0, -1",
+        "Blade/Edge loads": "0 : 0.2", "Cut/Surfaces": "plane: 5, 0; 1, 0"}),
+    Scene("slab", "cutting stress (mean shear)", "cutting_stress", 3, (6, 2, 2),
+          ((1, 2, 3), (0, 1, 2)), {
+        "Dimension": "2", "Body/Size": "12, 6", "Load/Body force": "0, -0.001",
+        "Blade/Direction": "0, -1", "Cut/Surfaces": "plane: 4, 0; 1, 0"}),
+]
+
+
+@dataclasses.dataclass(frozen=True)
+class Choice:
+    """What is varied. The elements of a scene are halved so many times everywhere, and
+    so many times more near the cut."""
+
+    element: str = "serendipity"
+    levels: int = 0
+    near: int = 0
+    release: str = "element row"
+    plane: bool = False
+    solver: str = "direct"
+    more: tuple = ()
+
+    @property
+    def label(self):
+        words = ["2D" if self.plane else "3D", self.element, f"h/{2 ** self.levels}"]
+        if self.near:
+            words.append(f"h/{2 ** (self.levels + self.near)} near the cut")
+        words.append(self.release)
+        if self.solver != "direct":
+            words.append(f"iterative to {self.solver}")
+        return ", ".join(words + [value for _, value in self.more])
+
+    def settings(self, scene):
+        values = {"Output/Frames": "none", "Output/Checkpoint": "none",
+                  "Body/Element type": self.element, "Division/Release": self.release,
+                  "Cut/Refinement near cut": str(self.near), **dict(self.more)}
+        if self.plane:
+            values.update(scene.plane)
+        if self.solver == "direct":
+            values["Solver/Method"] = "direct"
+        else:
+            values.update({"Solver/Method": "iterative", "Solver/Tolerance": self.solver})
+        # A plane of the first and the last coordinate.
+        counts = scene.elements if not self.plane else (
+            (scene.elements[1], scene.elements[2]) if scene.name == "blade"
+            else (scene.elements[0], scene.elements[2]))
+        values["Body/Elements"] = ", ".join(str(n * 2 ** self.levels) for n in counts)
+        return values
+
+
+@dataclasses.dataclass
+class Result:
+    """What a run gave: the quantity, the seconds to it; or why it did not."""
+
+    value: float = None
+    seconds: float = None
+    refusal: str = ""
+
+
+def run(scene, choice, limit=LIMIT):
+    """Run until the scene's depth is reached. The program is ended then."""
+    with tempfile.TemporaryDirectory() as directory:
+        command = [str(ROOT / "build" / "setsudan"), str(HERE / f"{scene.name}.prm"),
+                   "--output", directory]
+        for name, value in choice.settings(scene).items():
+            command += ["--set", f"{name}={value}"]
+        log = pathlib.Path(directory) / "log"
+        with open(log, "w") as said:
+            process = subprocess.Popen(command, stdout=said, stderr=said)
+        begin = time.monotonic()
+        try:
+            while True:
+                ended = process.poll() is not None
+                event = event_at(pathlib.Path(directory) / "statistics.csv", scene.depth)
+                if event:
+                    width = scene.width if choice.plane else 1
+                    return Result(float(event[scene.column]) * width,
+                                  float(event["seconds"]))
+                if ended:
+                    return Result(refusal=log.read_text().strip().splitlines()[-1])
+                if time.monotonic() - begin > limit:
+                    return Result(refusal=f"longer than {limit} s")
+                time.sleep(0.02)
+        finally:
+            process.kill()
+            process.wait()
+
+
+def event_at(table, depth):
+    """The deformation of the first row at a depth, once it is written."""
+    if not table.exists():
+        return None
+    with open(table, newline="") as lines:
+        for event in csv.DictReader(lines):
+            if (event["event"] == "deform" and event["row_pieces"] is not None
+                    and float(event["depth"]) > depth * (1 - 1e-9)):
+                return event
+    return None
+
+
+def choices(scene):
+    """All that is tried of a scene, the cheap ones first."""
+    for plane in (True, False):
+        finest = {"linear": 4 if plane else 3, "serendipity": 3 if plane else 2,
+                  "quadratic": 3 if plane else 2}
+        for element, last in finest.items():
+            for levels in range(last + 1):
+                yield Choice(element, levels, plane=plane)
+        for levels, near in ((0, 1), (0, 2), (0, 3), (1, 1), (1, 2)):
+            if plane or levels + near < 3:
+                yield Choice("serendipity", levels, near, plane=plane)
+        for levels in range(3 if plane else 2):
+            yield Choice("serendipity", levels, release="node row", plane=plane)
+    for solver in ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10"):
+        yield Choice("serendipity", 1, solver=solver)
+
+
+CRITERIA = ("maximum shear", "von Mises", "traction on the cut", "mean shear",
+            "energy release")
