@@ -85,7 +85,7 @@ describe_state(const Scene<dim> &scene,
     }
   // A solve that leaves more to round-off is accepted, and warned of.
   const double tolerance =
-    std::max({1e-8, 100 * scene.solver.tolerance, 10 * state.residual});
+    std::max({1e-8, 100 * scene.solver.tolerance, 10 * state.quality.residual});
   if (!(balance.force_residual <= tolerance &&
         balance.moment_residual <= tolerance))
     {

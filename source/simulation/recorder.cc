@@ -252,16 +252,20 @@ template <int dim>
 void
 Recorder<dim>::warn_of_round_off(const State<dim> &state)
 {
-  if (state.residual <= 1e-8 || warned_of_round_off)
+  const auto &quality = state.quality;
+  if ((quality.residual <= 1e-8 && quality.uncertainty <= 1e-5) ||
+      warned_of_round_off)
     return;
   warned_of_round_off = true;
   std::ostringstream message;
   message.precision(2);
   message << "digits are lost: the equations are solved up to "
-          << state.residual
-          << " of the loads, and not better, because the stiffness is very "
-             "uneven (a Poisson's ratio near 1/2, flat elements, or materials "
-             "far apart). Forces balance to about as many digits.";
+          << quality.residual
+          << " of the loads, and displacements are uncertain by about "
+          << quality.uncertainty
+          << " of the largest, because the body is very slender or its "
+             "stiffness very uneven (a Poisson's ratio near 1/2, flat "
+             "elements, or materials far apart).";
   progress.warn(message.str());
 }
 

@@ -174,7 +174,7 @@ solve_state(const Scene<dim> &scene,
   Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
   state.displacement = equilibrium.solve(
     state.forces, prescribed_displacement(body, state), guess);
-  state.residual = equilibrium.relative_residual();
+  state.quality  = equilibrium.quality_of_last();
   state.internal = body.internal_forces(state.displacement);
   return state;
 }
@@ -200,7 +200,7 @@ solve_ramp(const Scene<dim> &scene,
     equilibrium.solve(blade.nodal_forces, zero, zero),
     blade.nodal_forces,
     zero};
-  state.residual = equilibrium.relative_residual();
+  state.quality = equilibrium.quality_of_last();
   const YieldLoad load =
     find_yield_load(judge_row(scene, body, row, base, &per_load),
                     scene.division.max_load_factor);

@@ -104,6 +104,14 @@ DirectSolver::solve(LA::Vector &x, const LA::Vector &b)
 
 
 
+void
+DirectSolver::approximate(LA::Vector &x, const LA::Vector &b)
+{
+  solve(x, b);
+}
+
+
+
 std::string
 DirectSolver::description() const
 {

@@ -114,7 +114,7 @@ Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
       if (!converges)
         break;
     }
-  residual_of_last = scale > 0 ? error / scale : 0;
+  assess(x, residual, scale);
 
   // What the products in K x lose at best. Written so that a residual that is
   // not a number fails as well.
@@ -129,10 +129,25 @@ Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
 
 
 template <int dim>
-double
-Equilibrium<dim>::relative_residual() const
+void
+Equilibrium<dim>::assess(const LA::Vector &x,
+                         const LA::Vector &residual,
+                         const double scale)
 {
-  return residual_of_last;
+  LA::Vector error = x;
+  solver->approximate(error, residual);
+  const double largest = x.linfty_norm();
+  quality.residual     = scale > 0 ? residual.l2_norm() / scale : 0;
+  quality.uncertainty  = largest > 0 ? error.linfty_norm() / largest : 0;
+}
+
+
+
+template <int dim>
+SolveQuality
+Equilibrium<dim>::quality_of_last() const
+{
+  return quality;
 }
 
 
@@ -143,7 +158,7 @@ Equilibrium<dim>::fail() const
 {
   std::ostringstream message;
   message << "The " << solver->description()
-          << " solver left a relative residual of " << residual_of_last
+          << " solver left a relative residual of " << quality.residual
           << ", which must not exceed " << failed_above
           << ": the system is singular or nearly so. Check that supports hold "
              "the body, and that stiffnesses do not differ beyond measure.";

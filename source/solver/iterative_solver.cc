@@ -73,6 +73,14 @@ IterativeSolver::solve(LA::Vector &x, const LA::Vector &b)
 
 
 
+void
+IterativeSolver::approximate(LA::Vector &x, const LA::Vector &b)
+{
+  multigrid.vmult(x, b);
+}
+
+
+
 std::string
 IterativeSolver::description() const
 {

@@ -45,8 +45,7 @@ struct State
   /** K u, with which the elements resist (see internal_forces()). */
   LA::Vector internal;
   double load_factor = 0;
-  /** The residual of the solve, relative to the loads. */
-  double residual = 0;
+  SolveQuality quality;
   CuttingStress stress;
   /** Whether the front row yields; set where it is asked for. */
   bool yields = false;

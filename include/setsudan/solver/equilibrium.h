@@ -5,6 +5,17 @@
 
 namespace Setsudan
 {
+/** How good the result of a solve is. Round-off and the iterations' end lose
+ * digits where the stiffness is very uneven or the body very slender. */
+struct SolveQuality
+{
+  /** The residual, relative to the loads. */
+  double residual = 0;
+  /** How large about the largest displacement is to which that residual
+   * belongs, relative to the largest one. */
+  double uncertainty = 0;
+};
+
 /**
  * The body's equilibrium for one set of constraints: the assembled and
  * prepared matrix, which any number of loads are solved with.
@@ -36,16 +47,18 @@ public:
         const LA::Vector &prescribed,
         const LA::Vector &guess);
 
-  /** The residual that the last solve left, relative to the loads: round-off,
-   * which is large where the stiffness is very uneven. */
-  double
-  relative_residual() const;
+  SolveQuality
+  quality_of_last() const;
 
 private:
   /** Solve for the condensed loads, and improve the solution as long as that
    * lowers the residual. */
   LA::Vector
   solve_condensed(const LA::Vector &b, const LA::Vector &guess);
+
+  /** Find the quality of a solution. */
+  void
+  assess(const LA::Vector &x, const LA::Vector &residual, const double scale);
 
   [[noreturn]] void
   fail() const;
@@ -55,6 +68,6 @@ private:
   LA::SparseMatrix matrix;
   /** Behind the matrix, which must outlive it. */
   std::unique_ptr<LinearSolver> solver;
-  double residual_of_last = 0;
+  SolveQuality quality;
 };
 } // namespace Setsudan

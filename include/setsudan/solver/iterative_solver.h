@@ -20,6 +20,9 @@ public:
   void
   solve(LA::Vector &x, const LA::Vector &b) override;
 
+  void
+  approximate(LA::Vector &x, const LA::Vector &b) override;
+
   std::string
   description() const override;
 

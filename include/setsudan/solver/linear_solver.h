@@ -43,6 +43,11 @@ public:
   virtual void
   solve(LA::Vector &x, const LA::Vector &b) = 0;
 
+  /** About what solve() would give, in the least time: one application of the
+   * factor or of the multigrid. */
+  virtual void
+  approximate(LA::Vector &x, const LA::Vector &b) = 0;
+
   /** The method, in words. */
   virtual std::string
   description() const = 0;
