@@ -58,6 +58,7 @@ class Choice:
     release: str = "element row"
     plane: bool = False
     solver: str = "direct"
+    target: float = 0
     more: tuple = ()
 
     @property
@@ -68,12 +69,18 @@ class Choice:
         words.append(self.release)
         if self.solver != "direct":
             words.append(f"iterative to {self.solver}")
+        if self.target:
+            words.append(f"Accuracy/Target = {self.target}")
         return ", ".join(words + [value for _, value in self.more])
 
     def settings(self, scene):
         values = {"Output/Frames": "none", "Output/Checkpoint": "none",
                   "Body/Element type": self.element, "Division/Release": self.release,
                   "Cut/Refinement near cut": str(self.near), **dict(self.more)}
+        if self.target:
+            values["Accuracy/Target"] = str(self.target)
+            values["Accuracy/Quantity"] = ("strain energy" if "energy" in scene.quantity
+                                           else "cutting stress")
         if self.plane:
             values.update(scene.plane)
         if self.solver == "direct":
@@ -151,6 +158,7 @@ def choices(scene):
                 yield Choice("serendipity", levels, near, plane=plane)
         for levels in range(3 if plane else 2):
             yield Choice("serendipity", levels, release="node row", plane=plane)
+        yield Choice("serendipity", 0, target=0.05, plane=plane)
     for solver in ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10"):
         yield Choice("serendipity", 1, solver=solver)
 
