@@ -104,13 +104,35 @@ class Result:
     refusal: str = ""
 
 
+def scene_text(scene, settings):
+    """The scene's file with other values, which are not merely added: those of three
+    dimensions are none of two."""
+    lines, subsection, missing = [], [], dict(settings)
+    for line in (HERE / f"{scene.name}.prm").read_text().splitlines():
+        words = line.split("=", 1)[0].split()
+        if words[:1] == ["subsection"]:
+            subsection.append(" ".join(words[1:]))
+        elif words[:1] == ["end"]:
+            subsection.pop()
+        elif words[:1] == ["set"]:
+            name = "/".join(subsection + [" ".join(words[1:])])
+            if name in missing:
+                line = f"set {' '.join(words[1:])} = {missing.pop(name)}"
+        lines.append(line)
+    for name, value in missing.items():
+        subsections = name.split("/")[:-1]
+        lines += [f"subsection {one}" for one in subsections]
+        lines += [f"set {name.split('/')[-1]} = {value}"] + ["end"] * len(subsections)
+    return "\n".join(lines) + "\n"
+
+
 def run(scene, choice, limit=LIMIT):
     """Run until the scene's depth is reached. The program is ended then."""
     with tempfile.TemporaryDirectory() as directory:
-        command = [str(ROOT / "build" / "setsudan"), str(HERE / f"{scene.name}.prm"),
-                   "--output", directory]
-        for name, value in choice.settings(scene).items():
-            command += ["--set", f"{name}={value}"]
+        settings = choice.settings(scene)
+        path = pathlib.Path(directory) / "scene.prm"
+        path.write_text(scene_text(scene, settings))
+        command = [str(ROOT / "build" / "setsudan"), str(path), "--output", directory]
         log = pathlib.Path(directory) / "log"
         with open(log, "w") as said:
             process = subprocess.Popen(command, stdout=said, stderr=said)

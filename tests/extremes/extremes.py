@@ -3,7 +3,7 @@
 or a closed form, or it is a refusal in one sentence. Never a number that is none,
 never a wrong one without a word.
 
-usage: extremes.py PROGRAM
+usage: extremes.py PROGRAM [--long]
 
 """
 
@@ -35,7 +35,7 @@ BLOCK = {
 class Run:
     """A run of a scene that is given as settings."""
 
-    def __init__(self, settings, dimension=3, directory=None):
+    def __init__(self, settings, dimension=3, directory=None, limit=TIME_LIMIT):
         self.directory = tempfile.TemporaryDirectory() if directory is None else directory
         path = pathlib.Path(self.directory.name)
         lines = [f"set Dimension = {dimension}"]
@@ -46,7 +46,7 @@ class Run:
         (path / "scene.prm").write_text("\n".join(lines) + "\n")
         result = subprocess.run([PROGRAM, str(path / "scene.prm"), "--output",
                                  str(path / "out")], capture_output=True, text=True,
-                                timeout=TIME_LIMIT)
+                                timeout=limit)
         self.status, self.errors, self.output = (result.returncode, result.stderr.strip(),
                                                  result.stdout)
         self.events = self.read("statistics.csv")
@@ -312,12 +312,15 @@ def symmetry_cases(table):
         mirrored, lambda x, u: ((8 - x[0], x[1], x[2]), (-u[0], u[1], u[2]), False)), 1e-9)
 
 
-def rows_case(table):
-    table.add("rows", "500 rows, 2D", "two pieces in the end", lambda: float(
-        accepted(Run({"Body/Size": "50, 250", "Body/Elements": "2, 250",
+def rows_case(table, n_rows):
+    """A strip of so many rows, two for each layer of elements."""
+    n = n_rows // 2
+    table.add("rows", f"{n_rows} rows, 2D", "two pieces in the end", lambda: float(
+        accepted(Run({"Body/Size": f"50, {n}", "Body/Elements": f"2, {n}",
                       "Support/Fixed faces": "bottom", "Cut/Surfaces": "x:1",
                       "Blade/Sharpness": "1", "Blade/Direction": "0,-1",
-                      "Blade/Edge loads": "0:0", "Output/Frames": "none"}, dimension=2))
+                      "Blade/Edge loads": "0:0", "Output/Frames": "none"}, dimension=2,
+                     limit=5 * n_rows))
         .events[-1]["pieces"] != "2"), 0)
 
 
@@ -333,7 +336,9 @@ def main():
     blade_cases(table, base)
     contrast_cases(table)
     symmetry_cases(table)
-    rows_case(table)
+    rows_case(table, 500)
+    if "--long" in sys.argv[2:]:
+        rows_case(table, 2000)
     table.print()
     if table.failures:
         sys.exit(f"{table.failures} cases failed")
