@@ -2,6 +2,7 @@
 
 import csv
 import dataclasses
+import json
 import pathlib
 import subprocess
 import tempfile
@@ -26,9 +27,19 @@ class Scene:
     # How often the elements are halved for the reference, of serendipity and of
     # quadratic elements.
     references: tuple
-    # The same in plane strain, and by what its quantity is multiplied.
-    plane: dict
+    # The same in plane strain, where it is not that already, and by what its
+    # quantity is multiplied.
+    plane: dict = dataclasses.field(default_factory=dict)
     width: float = 1.0
+
+    @property
+    def in_space(self):
+        return len(self.elements) == 3
+
+    @property
+    def unit(self):
+        """What times are relative to."""
+        return Choice(levels=1, plane=not self.in_space)
 
 
 SCENES = [
@@ -40,6 +51,8 @@ SCENES = [
           ((1, 2, 3), (1, 2, 3)), {
         "Dimension": "2", "Body/Size": "10, 10", "Blade/Direction": "0, -1",
         "Blade/Edge loads": "0 : 0.2", "Cut/Surfaces": "plane: 5, 0; 1, 0"}),
+    Scene("arms", "strain energy", "strain_energy", 12, (5, 2),
+          ((2, 3, 4), (2, 3, 4))),
     Scene("slab", "cutting stress (mean shear)", "cutting_stress", 3, (6, 2, 2),
           ((1, 2, 3), (0, 1, 2)), {
         "Dimension": "2", "Body/Size": "12, 6", "Load/Body force": "0, -0.001",
@@ -71,7 +84,8 @@ class Choice:
             words.append(f"iterative to {self.solver}")
         if self.target:
             words.append(f"Accuracy/Target = {self.target}")
-        return ", ".join(words + [value for _, value in self.more])
+        return ", ".join(words + [value for name, value in self.more
+                                  if name == "Yield/Criterion"])
 
     def settings(self, scene):
         values = {"Output/Frames": "none", "Output/Checkpoint": "none",
@@ -79,6 +93,7 @@ class Choice:
                   "Cut/Refinement near cut": str(self.near), **dict(self.more)}
         if self.target:
             values["Accuracy/Target"] = str(self.target)
+            values["Accuracy/States"] = "middle row"
             values["Accuracy/Quantity"] = ("strain energy" if "energy" in scene.quantity
                                            else "cutting stress")
         if self.plane:
@@ -87,10 +102,10 @@ class Choice:
             values["Solver/Method"] = "direct"
         else:
             values.update({"Solver/Method": "iterative", "Solver/Tolerance": self.solver})
-        # A plane of the first and the last coordinate.
-        counts = scene.elements if not self.plane else (
-            (scene.elements[1], scene.elements[2]) if scene.name == "blade"
-            else (scene.elements[0], scene.elements[2]))
+        counts = scene.elements
+        if self.plane and scene.in_space:
+            # A plane of the last coordinate and that across the cut or along it.
+            counts = counts[1:] if scene.name == "blade" else counts[::2]
         values["Body/Elements"] = ", ".join(str(n * 2 ** self.levels) for n in counts)
         return values
 
@@ -102,6 +117,17 @@ class Result:
     value: float = None
     seconds: float = None
     refusal: str = ""
+
+
+def measured(scene, choice, limit=LIMIT):
+    """What run() gives, or gave when this was measured before."""
+    store = ROOT / "build" / "trade.json"
+    known = json.loads(store.read_text()) if store.exists() else {}
+    key = f"{scene.name}: {choice.label}"
+    if key not in known:
+        known[key] = dataclasses.asdict(run(scene, choice, limit))
+        store.write_text(json.dumps(known, indent=1))
+    return Result(**known[key])
 
 
 def scene_text(scene, settings):
@@ -142,7 +168,7 @@ def run(scene, choice, limit=LIMIT):
                 ended = process.poll() is not None
                 event = event_at(pathlib.Path(directory) / "statistics.csv", scene.depth)
                 if event:
-                    width = scene.width if choice.plane else 1
+                    width = scene.width if choice.plane and scene.in_space else 1
                     return Result(float(event[scene.column]) * width,
                                   float(event["seconds"]))
                 if ended:
@@ -169,20 +195,28 @@ def event_at(table, depth):
 
 def choices(scene):
     """All that is tried of a scene, the cheap ones first."""
-    for plane in (True, False):
+    for plane in (True, False) if scene.in_space else (True,):
         finest = {"linear": 4 if plane else 3, "serendipity": 3 if plane else 2,
                   "quadratic": 3 if plane else 2}
         for element, last in finest.items():
             for levels in range(last + 1):
                 yield Choice(element, levels, plane=plane)
         for levels, near in ((0, 1), (0, 2), (0, 3), (1, 1), (1, 2)):
-            if plane or levels + near < 3:
+            if plane or levels + near < 3 or scene.name != "peel":
                 yield Choice("serendipity", levels, near, plane=plane)
         for levels in range(3 if plane else 2):
             yield Choice("serendipity", levels, release="node row", plane=plane)
         yield Choice("serendipity", 0, target=0.05, plane=plane)
-    for solver in ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10"):
-        yield Choice("serendipity", 1, solver=solver)
+    for solver in ("1e-3", "1e-4", "1e-6", "1e-8", "1e-10"):
+        yield dataclasses.replace(scene.unit, solver=solver)
+
+
+def with_criterion(name):
+    """The choice with which the criteria are compared."""
+    more = [("Yield/Criterion", name)]
+    if name != "mean shear":
+        more.append(("Yield/Process zone", "0"))
+    return Choice(levels=1, more=tuple(more))
 
 
 CRITERIA = ("maximum shear", "von Mises", "traction on the cut", "mean shear",

@@ -14,15 +14,14 @@ AccuracyParameters::declare(ParameterHandler &handler)
                     Patterns::Bool(),
                     "Whether the error of each state is estimated: the columns "
                     "energy_error and stress_error of the statistics, and the "
-                    "field of that name in the frames. Target implies it.");
+                    "field of that name in the frames.");
   Setsudan::declare(handler,
                     "Accuracy",
                     "Target",
                     "0",
                     Patterns::Double(),
                     "The relative error of Quantity for which elements are "
-                    "refined before the first cut, where the blade stands on "
-                    "its first row; less than 1, and 0 if elements stay as "
+                    "refined beforehand; less than 1, and 0 if they stay as "
                     "they are [-].");
   Setsudan::declare(handler,
                     "Accuracy",
@@ -30,13 +29,23 @@ AccuracyParameters::declare(ParameterHandler &handler)
                     "strain energy",
                     Patterns::Selection("strain energy|cutting stress"),
                     "What Target is for.");
+  Setsudan::declare(
+    handler,
+    "Accuracy",
+    "States",
+    "both",
+    Patterns::Selection("first row|middle row|both"),
+    "Where Target is to be met: with the blade on the first row "
+    "of the first cut, or on the one in its middle with all "
+    "before it split, or both.");
   Setsudan::declare(handler,
                     "Accuracy",
                     "Width",
                     "0",
                     Patterns::Double(0),
-                    "Only cells up to this distance from a cut are refined for "
-                    "Target; 0 stands for all [length].");
+                    "Only cells up to this distance from the cuts, the ways of "
+                    "their fronts, are refined for Target; 0 stands for all "
+                    "[length].");
   Setsudan::declare(handler,
                     "Accuracy",
                     "Maximum cells",
@@ -54,6 +63,11 @@ AccuracyParameters::AccuracyParameters(const Parameters &parameters)
   , quantity(parameters.text("Accuracy", "Quantity") == "strain energy"
                ? Quantity::strain_energy
                : Quantity::cutting_stress)
+  , states(parameters.text("Accuracy", "States") == "first row"
+             ? States::first_row
+           : parameters.text("Accuracy", "States") == "middle row"
+             ? States::middle_row
+             : States::both)
   , width(parameters.number("Accuracy", "Width"))
   , max_cells(parameters.natural("Accuracy", "Maximum cells"))
 {
@@ -61,7 +75,6 @@ AccuracyParameters::AccuracyParameters(const Parameters &parameters)
                      "Accuracy",
                      "Target",
                      "a number from 0 to less than 1");
-  estimate = estimate || target > 0;
 }
 
 

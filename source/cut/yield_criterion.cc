@@ -75,11 +75,16 @@ measures_and_limits(const YieldParameters::Criterion criterion,
     }
   const unsigned int n = stresses.n_zones;
   std::vector<double> sums(3 * n, 0.);
+  const FrontStress *last = nullptr;
+  double measure          = 0;
   for (const auto &sample : stresses.samples)
     {
+      // A point lies in many zones, and has its samples one behind the other.
+      if (!last || sample.stress != last->stress)
+        measure = stress_measure(criterion, sample);
+      last = &sample;
       sums[sample.zone] += sample.weight;
-      sums[n + sample.zone] +=
-        sample.weight * stress_measure(criterion, sample);
+      sums[n + sample.zone] += sample.weight * measure;
       sums[2 * n + sample.zone] += sample.weight * sample.shear_limit;
     }
   Utilities::MPI::sum(sums, communicator, sums);

@@ -150,6 +150,49 @@ SerendipityPolynomials<dim>::all_derivatives(const unsigned int i,
 
 
 template <int dim>
+std::vector<double>
+SerendipityPolynomials<dim>::mixed_derivatives(const Exponents &orders,
+                                               const Point<dim> &p) const
+{
+  std::vector<double> results(this->n(), 0.);
+  for (unsigned int m = 0; m < this->n(); ++m)
+    {
+      const double monomial = monomial_derivative(exponents[m], orders, p);
+      if (monomial != 0.)
+        for (unsigned int i = 0; i < this->n(); ++i)
+          results[i] += coefficients(m, i) * monomial;
+    }
+  return results;
+}
+
+
+template <int dim>
+template <int order>
+void
+SerendipityPolynomials<dim>::fill_derivatives(
+  const Point<dim> &p,
+  std::vector<Tensor<order, dim>> &results) const
+{
+  using Result = Tensor<order, dim>;
+  Assert(results.empty() || results.size() == this->n(),
+         ExcDimensionMismatch(results.size(), this->n()));
+  if (results.empty())
+    return;
+  for (unsigned int c = 0; c < Result::n_independent_components; ++c)
+    {
+      const TableIndices<order> variables =
+        Result::unrolled_to_component_indices(c);
+      Exponents orders{};
+      for (unsigned int k = 0; k < order; ++k)
+        ++orders[variables[k]];
+      const auto of_functions = mixed_derivatives(orders, p);
+      for (unsigned int i = 0; i < results.size(); ++i)
+        results[i][variables] = of_functions[i];
+    }
+}
+
+
+template <int dim>
 void
 SerendipityPolynomials<dim>::evaluate(
   const Point<dim> &unit_point,
@@ -159,21 +202,12 @@ SerendipityPolynomials<dim>::evaluate(
   std::vector<Tensor<3, dim>> &third_derivatives,
   std::vector<Tensor<4, dim>> &fourth_derivatives) const
 {
-  const auto fill = [this](auto &results, const auto &function) {
-    Assert(results.empty() || results.size() == this->n(),
-           ExcDimensionMismatch(results.size(), this->n()));
-    for (unsigned int i = 0; i < results.size(); ++i)
-      results[i] = function(i);
-  };
-  const Point<dim> &p = unit_point;
-  fill(values, [&](const unsigned int i) { return compute_value(i, p); });
-  fill(grads, [&](const unsigned int i) { return all_derivatives<1>(i, p); });
-  fill(grad_grads,
-       [&](const unsigned int i) { return all_derivatives<2>(i, p); });
-  fill(third_derivatives,
-       [&](const unsigned int i) { return all_derivatives<3>(i, p); });
-  fill(fourth_derivatives,
-       [&](const unsigned int i) { return all_derivatives<4>(i, p); });
+  if (!values.empty())
+    values = mixed_derivatives(Exponents{}, unit_point);
+  fill_derivatives(unit_point, grads);
+  fill_derivatives(unit_point, grad_grads);
+  fill_derivatives(unit_point, third_derivatives);
+  fill_derivatives(unit_point, fourth_derivatives);
 }
 
 

@@ -1,8 +1,6 @@
-#include <deal.II/distributed/grid_refinement.h>
-
 #include <setsudan/cut/near_cut.h>
 #include <setsudan/simulation/choose_refinement.h>
-#include <setsudan/simulation/state_error.h>
+#include <setsudan/simulation/trial.h>
 
 #include <sstream>
 
@@ -12,68 +10,6 @@ using namespace dealii;
 
 namespace
 {
-/** The error of the body's first deformation, on a body refined so. */
-template <int dim>
-class Trial
-{
-public:
-  Trial(const Scene<dim> &scene,
-        const Refinement &refinement,
-        const MPI_Comm communicator)
-    : scene(scene)
-    , body(scene, refinement, communicator)
-  {
-    const bool has_cut =
-      !scene.cut.cuts.empty() && body.approach(scene.cut.cuts.front());
-    const LA::Vector zero = body.model->discretization.zero_vector();
-    State<dim> state      = solve_state(
-      scene, body, has_cut ? blade_on_row(body, 0) : no_blade(body), 1, zero);
-    if (has_cut && !scene.yield.needs_seam())
-      judge(scene, body, 0, state);
-    error = estimate_error_of_state(scene,
-                                    body,
-                                    has_cut ? std::optional<unsigned int>(0)
-                                            : std::nullopt,
-                                    state);
-  }
-
-  double
-  relative_error() const
-  {
-    return error.relative(scene.accuracy.quantity);
-  }
-
-  unsigned int
-  n_cells() const
-  {
-    return body.model->discretization.triangulation.n_global_active_cells();
-  }
-
-  /** The cells that hold half of the error, as far as the scene lets them be
-   * refined; the same on all processes. */
-  std::vector<CellPath>
-  mark()
-  {
-    auto &triangulation = body.model->discretization.triangulation;
-    parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
-      triangulation, error.energy.squares, 0.5, 0.);
-    const NearCut<dim> near_cut(scene.body, scene.cut, scene.accuracy.width);
-    std::vector<CellPath> own;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->refine_flag_set() &&
-          (scene.accuracy.width == 0 || near_cut.is_near(cell)))
-        own.push_back(path_of_cell<dim>(cell));
-    return gather_cells(own, body.communicator);
-  }
-
-private:
-  const Scene<dim> &scene;
-  CutBody<dim> body;
-  StateError error;
-};
-
-
-
 std::string
 describe_choice(const AccuracyParameters &accuracy,
                 const double error,
@@ -104,9 +40,11 @@ choose_refinement(const Scene<dim> &scene,
   if (accuracy.target == 0)
     return refinement;
 
+  std::vector<TrialRecord> records;
   for (unsigned int n_trials = 1;; ++n_trials)
     {
-      Trial<dim> trial(scene, refinement, communicator);
+      const Trial<dim> trial(scene, refinement, records, communicator);
+      records.push_back(trial.record());
       const std::string choice = describe_choice(
         accuracy, trial.relative_error(), trial.n_cells(), n_trials);
       if (trial.relative_error() <= accuracy.target)
@@ -114,7 +52,7 @@ choose_refinement(const Scene<dim> &scene,
           progress.say(choice);
           return refinement;
         }
-      const auto marked = trial.mark();
+      const auto &marked = trial.marked();
       const Refinement finer =
         refine_further(scene.body, scene.cut, refinement, marked, communicator);
       const auto n_finer = count_cells<dim>(scene.body.mesh, finer);

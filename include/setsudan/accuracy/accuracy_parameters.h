@@ -16,10 +16,19 @@ struct AccuracyParameters
     cutting_stress
   };
 
+  /** In which states of the first cut the target is to be met. */
+  enum class States
+  {
+    first_row,
+    middle_row,
+    both
+  };
+
   bool estimate;
   /** The relative error that elements are refined for; 0 if they are not. */
   double target;
   Quantity quantity;
+  States states;
   /** Up to which distance from the cuts cells are refined for it; 0 for all
    * cells. */
   double width;

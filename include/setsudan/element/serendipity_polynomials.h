@@ -119,6 +119,17 @@ private:
   Tensor<order, dim>
   all_derivatives(const unsigned int i, const Point<dim> &p) const;
 
+  /** The same of all functions. */
+  std::vector<double>
+  mixed_derivatives(const Exponents &orders, const Point<dim> &p) const;
+
+  /** All derivatives of one order of all functions, or of none where `results`
+   * is empty. */
+  template <int order>
+  void
+  fill_derivatives(const Point<dim> &p,
+                   std::vector<Tensor<order, dim>> &results) const;
+
   const std::vector<Exponents> exponents;
 
   /** Entry (m, i) is the coefficient of monomial m in function i. */

@@ -8,7 +8,7 @@ namespace Setsudan
 {
 /**
  * How the scene's body is to be refined: as the scene says, and further until
- * the estimated error of the first deformation meets Accuracy/Target. Cells are
+ * the estimated error of its trial meets Accuracy/Target (see Trial). Cells are
  * marked that hold half of the error (Dörfler 1996, SIAM Journal on Numerical
  * Analysis 33, 1106-1124).
  *

@@ -65,6 +65,8 @@ private:
 
   ElasticModel<dim> &model;
   const dealii::AffineConstraints<double> &constraints;
+  /** The residual with which a solve is content. */
+  const double accepted;
   LA::SparseMatrix matrix;
   /** Behind the matrix, which must outlive it. */
   std::unique_ptr<LinearSolver> solver;
