@@ -49,6 +49,15 @@ DivisionParameters::declare(ParameterHandler &handler)
                     Patterns::Double(),
                     "With ramp, the cut is arrested where more than this "
                     "multiple of the edge loads is needed; at least 0 [-].");
+  Setsudan::declare(handler,
+                    "Division",
+                    "Solve",
+                    "auto",
+                    Patterns::Selection("auto|condensed|every row anew"),
+                    "condensed: the body is factored once for a whole cut, "
+                    "which is exact and takes memory for all unknowns of the "
+                    "cut; every row anew: by Solver/Method, row by row; auto: "
+                    "by the sizes. Several processes solve every row anew.");
 }
 
 
@@ -63,6 +72,10 @@ DivisionParameters::DivisionParameters(const Parameters &parameters)
                    ? LoadControl::constant
                    : LoadControl::ramp)
   , max_load_factor(parameters.number("Division", "Maximum load factor"))
+  , solve(parameters.text("Division", "Solve") == "condensed" ? Solve::condensed
+          : parameters.text("Division", "Solve") == "every row anew"
+            ? Solve::anew
+            : Solve::automatic)
 {
   parameters.require(row_tolerance >= 0 && row_tolerance < 0.5,
                      "Division",

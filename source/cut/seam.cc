@@ -1,5 +1,6 @@
 #include <setsudan/cut/seam.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -86,6 +87,17 @@ typename Seam<dim>::State
 Seam<dim>::state(const unsigned int pair) const
 {
   return states[pair];
+}
+
+
+
+template <int dim>
+bool
+Seam<dim>::holds() const
+{
+  return std::any_of(states.begin(), states.end(), [](const State state) {
+    return state != State::free;
+  });
 }
 
 

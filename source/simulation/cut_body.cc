@@ -45,6 +45,7 @@ template <int dim>
 void
 CutBody<dim>::rebuild()
 {
+  condensed.reset();
   model = std::make_unique<ElasticModel<dim>>(mesh,
                                               refinement,
                                               scene.body,
@@ -136,8 +137,8 @@ CutBody<dim>::release(const unsigned int row)
 
 
 template <int dim>
-AffineConstraints<double>
-CutBody<dim>::constraints_without(const unsigned int row)
+std::shared_ptr<EquilibriumSolver>
+CutBody<dim>::equilibrium_without(const unsigned int row)
 {
   // A free pair stays free, so that the row cannot be tied again.
   const Seam<dim> present = seam();
@@ -146,15 +147,15 @@ CutBody<dim>::constraints_without(const unsigned int row)
   if (!motions->all_held())
     for (const auto &group : motions->find_loose(seam().links(parts)))
       n_loose += group.loose.size();
-  auto result = constraints();
-  seam()      = present;
+  auto without = constraints();
+  seam()       = present;
   if (n_loose > loose_pieces.size())
     throw std::runtime_error(
       "Splitting row " + std::to_string(row + 1) +
       " leaves a part that nothing holds, and there is no telling what energy "
       "that releases. Hold it in subsection Support, or choose another "
       "Yield/Criterion.");
-  return result;
+  return equilibrium_under(std::move(without));
 }
 
 
@@ -172,6 +173,7 @@ template <int dim>
 void
 CutBody<dim>::divide()
 {
+  condensed.reset();
   seam().set_all_states(Seam<dim>::State::free);
   labels.piece = parts;
   find_loose_pieces();
@@ -207,6 +209,8 @@ CutBody<dim>::find_loose_pieces()
       if (more)
         drop(loose_pieces);
     }
+  if (loose_pieces != known)
+    condensed.reset();
 }
 
 
@@ -281,27 +285,59 @@ CutBody<dim>::seam() const
 
 template <int dim>
 AffineConstraints<double>
-CutBody<dim>::constraints() const
+CutBody<dim>::empty_constraints() const
 {
   const auto &discretization = model->discretization;
   IndexSet lines             = discretization.relevant;
   for (const auto &seam : seams)
     lines.add_indices(
       seam.coupled_indices(discretization.dof_handler.n_dofs()));
-  AffineConstraints<double> constraints(lines);
+  return AffineConstraints<double>(lines);
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::add_base_constraints(AffineConstraints<double> &constraints) const
+{
   for (const auto *part : {&model->hanging, &model->supports})
     constraints.merge(
       *part, AffineConstraints<double>::no_conflicts_allowed, true);
   if (scene.supports.drop_loose_pieces())
     for (const auto &loose : loose_pieces)
-      constrain_dropped_piece(discretization, parts, loose, constraints);
+      constrain_dropped_piece(model->discretization, parts, loose, constraints);
   else if (!loose_pieces.empty())
     for (const auto index :
-         unknowns_of_hold(discretization, mesh, parts, loose_pieces))
+         unknowns_of_hold(model->discretization, mesh, parts, loose_pieces))
       if (constraints.can_store_line(index))
         constraints.add_line(index);
-  for (const auto &seam : seams)
-    seam.add_constraints(constraints);
+  for (unsigned int s = 0; s + 1 < seams.size(); ++s)
+    seams[s].add_constraints(constraints);
+}
+
+
+
+template <int dim>
+AffineConstraints<double>
+CutBody<dim>::base_constraints() const
+{
+  auto constraints = empty_constraints();
+  add_base_constraints(constraints);
+  constraints.close();
+  return constraints;
+}
+
+
+
+template <int dim>
+AffineConstraints<double>
+CutBody<dim>::constraints() const
+{
+  auto constraints = empty_constraints();
+  add_base_constraints(constraints);
+  if (!seams.empty())
+    seam().add_constraints(constraints);
   constraints.close();
   return constraints;
 }

@@ -65,10 +65,9 @@ judge_by_energy(const Scene<dim> &scene,
                 const Response<dim> &base,
                 const Response<dim> *per_load)
 {
-  const auto constraints = body.constraints_without(row);
-  Equilibrium<dim> released(*body.model, constraints, scene.solver);
-  const auto release = [&](const Response<dim> &response) -> Release<dim> {
-    LA::Vector d = released.solve(
+  const auto released = body.equilibrium_without(row);
+  const auto release  = [&](const Response<dim> &response) -> Release<dim> {
+    LA::Vector d = released->solve(
       response.forces, response.prescribed, response.displacement);
     d -= response.displacement;
     return {d, body.internal_forces(d)};

@@ -167,14 +167,13 @@ solve_state(const Scene<dim> &scene,
             const double load_factor,
             const LA::Vector &guess)
 {
-  const auto constraints = body.constraints();
-  State<dim> state       = unloaded_state(scene, body);
-  state.load_factor      = load_factor;
+  State<dim> state  = unloaded_state(scene, body);
+  state.load_factor = load_factor;
   state.forces.add(load_factor, blade.nodal_forces);
-  Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
-  state.displacement = equilibrium.solve(
+  const auto equilibrium = body.equilibrium();
+  state.displacement     = equilibrium->solve(
     state.forces, prescribed_displacement(body, state), guess);
-  state.quality  = equilibrium.quality_of_last();
+  state.quality  = equilibrium->quality_of_last();
   state.internal = body.internal_forces(state.displacement);
   return state;
 }
@@ -188,19 +187,18 @@ solve_ramp(const Scene<dim> &scene,
            const BladeLoad<dim> &blade,
            const unsigned int row)
 {
-  const auto constraints = body.constraints();
-  const LA::Vector zero  = body.model->discretization.zero_vector();
-  State<dim> state       = unloaded_state(scene, body);
+  const LA::Vector zero = body.model->discretization.zero_vector();
+  State<dim> state      = unloaded_state(scene, body);
 
-  Equilibrium<dim> equilibrium(*body.model, constraints, scene.solver);
-  const LA::Vector held = prescribed_displacement(body, state);
+  const auto equilibrium = body.equilibrium();
+  const LA::Vector held  = prescribed_displacement(body, state);
   const Response<dim> base{
-    equilibrium.solve(state.forces, held, held), state.forces, held};
+    equilibrium->solve(state.forces, held, held), state.forces, held};
   const Response<dim> per_load{
-    equilibrium.solve(blade.nodal_forces, zero, zero),
+    equilibrium->solve(blade.nodal_forces, zero, zero),
     blade.nodal_forces,
     zero};
-  state.quality = equilibrium.quality_of_last();
+  state.quality = equilibrium->quality_of_last();
   const YieldLoad load =
     find_yield_load(judge_row(scene, body, row, base, &per_load),
                     scene.division.max_load_factor);

@@ -15,10 +15,8 @@ namespace
 // A solve whose residual exceeds the first and what the scene allows has
 // failed, unless that is what round-off leaves; beyond the second it has in any
 // case.
-constexpr double failed_above          = 1e-8;
 constexpr double lost_above            = 1e-5;
 constexpr unsigned int max_refinements = 5;
-constexpr double refined_above         = 1e-13;
 
 
 /** The rigid motions in this process's unknowns, one vector each. */

@@ -20,6 +20,14 @@ struct DivisionParameters
     ramp
   };
 
+  /** How the states behind each row are solved. */
+  enum class Solve
+  {
+    automatic,
+    condensed,
+    anew
+  };
+
   Release release;
   /** Whether the blade keeps the sides of split rows apart; else they are
    * free. */
@@ -28,6 +36,7 @@ struct DivisionParameters
   double row_tolerance;
   LoadControl load_control;
   double max_load_factor;
+  Solve solve;
 
   static void
   declare(dealii::ParameterHandler &handler);

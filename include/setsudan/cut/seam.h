@@ -37,6 +37,10 @@ public:
   State
   state(const unsigned int pair) const;
 
+  /** Whether any pair is not free. */
+  bool
+  holds() const;
+
   /** Pairs that are free stay so. */
   void
   set_row_state(const unsigned int row, const State state);

@@ -6,6 +6,7 @@
 #include <setsudan/elasticity/piece_motions.h>
 #include <setsudan/output/frames.h>
 #include <setsudan/simulation/scene.h>
+#include <setsudan/solver/condensed_equilibrium.h>
 
 #include <memory>
 #include <vector>
@@ -74,11 +75,16 @@ public:
   dealii::AffineConstraints<double>
   constraints() const;
 
-  /** The constraints if the ties of one row were taken off.
+  /** The equilibrium under these constraints. It may be the same object at the
+   * next call, for others. */
+  std::shared_ptr<EquilibriumSolver>
+  equilibrium();
+
+  /** The equilibrium if the ties of one row were taken off.
    *
    * @throw std::runtime_error where that leaves a part which nothing holds. */
-  dealii::AffineConstraints<double>
-  constraints_without(const unsigned int row);
+  std::shared_ptr<EquilibriumSolver>
+  equilibrium_without(const unsigned int row);
 
   unsigned int
   n_pieces() const;
@@ -111,6 +117,24 @@ private:
   void
   drop(const std::vector<LoosePiece> &loose);
 
+  /** What holds besides the newest seam; closed. */
+  dealii::AffineConstraints<double>
+  base_constraints() const;
+
+  void
+  add_base_constraints(dealii::AffineConstraints<double> &constraints) const;
+
+  /** The constraints of this process couple these. */
+  dealii::AffineConstraints<double>
+  empty_constraints() const;
+
+  /** Whether all rows of the newest cut are solved from one factorization. */
+  bool
+  is_condensed() const;
+
+  std::shared_ptr<EquilibriumSolver>
+  equilibrium_under(dealii::AffineConstraints<double> &&constraints);
+
   /** Refuse to go on where the blade presses on a loose group. */
   void
   check_ties_of_loose_group(const LooseGroup<dim> &group) const;
@@ -137,6 +161,8 @@ private:
   /** What the pieces will be when the newest cut has gone through. */
   std::vector<unsigned int> parts;
   std::unique_ptr<PieceMotions<dim>> motions;
+  /** For the newest cut, as long as nothing but its ties changes. */
+  std::shared_ptr<CondensedEquilibrium<dim>> condensed;
   /** What the newest cut's rows open; empty until somebody asks. */
   std::vector<RowArea> areas;
 };

@@ -1,27 +1,17 @@
 #pragma once
 
 #include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/solver/equilibrium_solver.h>
 #include <setsudan/solver/linear_solver.h>
 
 namespace Setsudan
 {
-/** How good the result of a solve is. Round-off and the iterations' end lose
- * digits where the stiffness is very uneven or the body very slender. */
-struct SolveQuality
-{
-  /** The residual, relative to the loads. */
-  double residual = 0;
-  /** How large about the largest displacement is to which that residual
-   * belongs, relative to the largest one. */
-  double uncertainty = 0;
-};
-
 /**
  * The body's equilibrium for one set of constraints: the assembled and
  * prepared matrix, which any number of loads are solved with.
  */
 template <int dim>
-class Equilibrium
+class Equilibrium : public EquilibriumSolver
 {
 public:
   /**
@@ -32,23 +22,13 @@ public:
               const dealii::AffineConstraints<double> &constraints,
               const SolverParameters &parameters);
 
-  /**
-   * The displacement under nodal forces.
-   *
-   * @param forces      without ghosts, no constraint applied.
-   * @param prescribed  any displacement that obeys what is prescribed (the
-   *   opening of a cut) besides the homogeneous constraints.
-   * @param guess       a displacement near the solution.
-   * @throw SolverError where the solver fails or its result does not fulfil
-   *   the equations.
-   */
   LA::Vector
   solve(const LA::Vector &forces,
         const LA::Vector &prescribed,
-        const LA::Vector &guess);
+        const LA::Vector &guess) override;
 
   SolveQuality
-  quality_of_last() const;
+  quality_of_last() const override;
 
 private:
   /** Solve for the condensed loads, and improve the solution as long as that

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <setsudan/elasticity/linear_algebra.h>
+
+#include <memory>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The supernodal Cholesky factor K = L L^T of a symmetric positive definite
+ * matrix of one process, by CHOLMOD, with some unknowns eliminated last: L
+ * restricted to them is then the factor of what they are to each other once the
+ * others are gone (the Schur complement). The others are ordered by METIS.
+ *
+ * Chen, Davis, Hager and Rajamanickam 2008, ACM Transactions on Mathematical
+ * Software 35(3), article 22.
+ */
+class CholeskyFactor
+{
+public:
+  /**
+   * @param last  the unknowns that come last, ascending.
+   * @param shift what is added to their entries of the diagonal.
+   * @throw SolverError where the matrix is not positive definite, or memory
+   *   runs out.
+   */
+  CholeskyFactor(const LA::SparseMatrix &matrix,
+                 const std::vector<unsigned int> &last,
+                 const double shift);
+
+  ~CholeskyFactor();
+
+  unsigned int
+  n_last() const;
+
+  /** A vector in the order of elimination. */
+  std::vector<double>
+  in_order(const LA::Vector &vector) const;
+
+  /** The opposite of in_order(). */
+  void
+  from_order(const std::vector<double> &ordered, LA::Vector &vector) const;
+
+  /** Solve L y = b, in the order of elimination. */
+  std::vector<double>
+  solve_lower(const std::vector<double> &b) const;
+
+  /** Solve L^T x = y. */
+  std::vector<double>
+  solve_upper(const std::vector<double> &y) const;
+
+  /** L of the last unknowns, n_last x n_last by columns, 0 above the
+   * diagonal. */
+  std::vector<double>
+  last_block() const;
+
+  /** The entries of L. */
+  double
+  n_entries() const;
+
+private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace;
+  /** The unknown that is eliminated at each place. */
+  std::vector<int> order;
+  unsigned int n_at_end;
+};
+} // namespace Setsudan

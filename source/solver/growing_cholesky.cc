@@ -1,0 +1,100 @@
+#include <deal.II/base/exceptions.h>
+
+#include <setsudan/solver/growing_cholesky.h>
+#include <setsudan/solver/linear_solver.h>
+
+#include <Teuchos_BLAS.hpp>
+#include <Teuchos_LAPACK.hpp>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+GrowingCholesky::GrowingCholesky(const unsigned int most)
+  : most(most)
+  , factor(std::size_t(most) * most)
+{
+}
+
+
+
+unsigned int
+GrowingCholesky::size() const
+{
+  return n;
+}
+
+
+
+void
+GrowingCholesky::append(const std::vector<std::vector<double>> &rows)
+{
+  const unsigned int n_new = rows.size();
+  if (n_new == 0)
+    return;
+  AssertIndexRange(n + n_new, most + 1);
+  const auto entry = [&](const unsigned int row, const unsigned int column) {
+    return factor.data() + std::size_t(column) * most + row;
+  };
+  for (unsigned int r = 0; r < n_new; ++r)
+    for (unsigned int column = 0; column <= n + r; ++column)
+      *entry(n + r, column) = rows[r][column];
+
+  const Teuchos::BLAS<int, double> blas;
+  const Teuchos::LAPACK<int, double> lapack;
+  if (n > 0)
+    {
+      blas.TRSM(Teuchos::RIGHT_SIDE,
+                Teuchos::LOWER_TRI,
+                Teuchos::TRANS,
+                Teuchos::NON_UNIT_DIAG,
+                n_new,
+                n,
+                1.,
+                factor.data(),
+                most,
+                entry(n, 0),
+                most);
+      blas.SYRK(Teuchos::LOWER_TRI,
+                Teuchos::NO_TRANS,
+                n_new,
+                n,
+                -1.,
+                entry(n, 0),
+                most,
+                1.,
+                entry(n, n),
+                most);
+    }
+  int info = 0;
+  lapack.POTRF('L', n_new, entry(n, n), most, &info);
+  if (info != 0)
+    throw SolverError(
+      "The cut's equations are singular to working precision. Check that "
+      "supports hold the body, or set Division/Solve = every row anew.");
+  n += n_new;
+}
+
+
+
+void
+GrowingCholesky::shrink(const unsigned int n_left)
+{
+  AssertIndexRange(n_left, n + 1);
+  n = n_left;
+}
+
+
+
+void
+GrowingCholesky::solve(std::vector<double> &x) const
+{
+  AssertDimension(x.size(), n);
+  if (n == 0)
+    return;
+  const Teuchos::LAPACK<int, double> lapack;
+  int info = 0;
+  lapack.POTRS('L', n, 1, factor.data(), most, x.data(), n, &info);
+  AssertThrow(info == 0, ExcInternalError());
+}
+} // namespace Setsudan

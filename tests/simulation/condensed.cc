@@ -1,0 +1,96 @@
+// The states of a cut from one factorization are those of solving every row
+// anew: of tied, opened and free rows, of oblique cuts and crossing ones, with
+// hanging nodes, and of several kinds of elements; also where rows are tied
+// again.
+
+#include <setsudan/simulation/state.h>
+#include <setsudan/solver/equilibrium.h>
+
+#include <cmath>
+
+#include "../test_setup.h"
+
+using namespace Setsudan;
+using namespace dealii;
+
+/** How far the state with the blade on a row is from that solved anew. */
+template <int dim>
+double
+difference(const Scene<dim> &scene, CutBody<dim> &body, const unsigned int row)
+{
+  const LA::Vector zero = body.model->discretization.zero_vector();
+  const State<dim> state =
+    solve_state(scene, body, blade_on_row(body, row), 1, zero);
+  const auto constraints = body.constraints();
+  LA::Vector anew =
+    Equilibrium<dim>(*body.model, constraints, scene.solver)
+      .solve(state.forces, prescribed_displacement(body, state), zero);
+  anew -= state.displacement;
+  return anew.linfty_norm() / state.displacement.linfty_norm();
+}
+
+
+template <int dim>
+void
+test(const std::string &name, const std::vector<SceneEntry> &more)
+{
+  std::vector<SceneEntry> entries = {
+    {"Body", "Elements", dim == 3 ? "2,2,2" : "4,4", ""},
+    {"Support", "Fixed faces", "bottom", ""},
+    {"Support", "Loose pieces", "drop", ""},
+    {"Blade", "Edge loads", dim == 3 ? "1:1, 4:2" : "0:1", ""},
+    {"Load", "Body force", dim == 3 ? "0.01, 0.02, -0.1" : "0.1, -0.1", ""},
+    {"Division", "Solve", "condensed", ""},
+    {"Cut", "Surfaces", dim == 3 ? "y:1" : "x:2", ""}};
+  entries.insert(entries.end(), more.begin(), more.end());
+  const Scene<dim> scene(Parameters("test", entries, Scene<dim>::declare));
+  CutBody<dim> body(scene, MPI_COMM_WORLD);
+  double largest    = 0;
+  bool is_condensed = true;
+  for (const auto &cut : scene.cut.cuts)
+    {
+      if (!body.approach(cut))
+        continue;
+      body.open();
+      for (unsigned int row = 0; row < body.seam().rows().size(); ++row)
+        {
+          if (body.is_left_out(row))
+            continue;
+          largest = std::max(largest, difference(scene, body, row));
+          // To look at the state without this row leaves no trace.
+          const auto without = body.equilibrium_without(row);
+          is_condensed =
+            is_condensed &&
+            dynamic_cast<CondensedEquilibrium<dim> *>(without.get());
+          largest = std::max(largest, difference(scene, body, row));
+          body.release(row);
+        }
+      body.divide();
+    }
+  std::cout << name << (is_condensed ? "" : ": not condensed") << std::endl;
+  check_below("  difference", largest, 1e-10);
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    test<2>("2D", {});
+    test<3>("3D", {});
+    test<3>("by element rows", {{"Division", "Release", "element row", ""}});
+    test<3>("free rows", {{"Division", "Split rows", "free", ""}});
+    test<2>("refined near the cut", {{"Cut", "Refinement near cut", "1", ""}});
+    test<2>("oblique",
+            {{"Body", "Rotate", "z : 30", ""},
+             {"Cut", "Surfaces", "x:2", ""},
+             {"Blade", "Direction", "0.5, -0.9", ""},
+             {"Blade", "Edge loads", "", ""}});
+    test<3>("crossing",
+            {{"Cut", "Surfaces", "y:1; z:1", ""},
+             {"Blade", "Direction", "0,0,-1; 0,-1,0", ""}});
+    test<3>("quadratic elements", {{"Body", "Element type", "quadratic", ""}});
+    test<3>("nearly incompressible",
+            {{"Material", "Poisson's ratio", "0.4999", ""}});
+  });
+}
