@@ -49,7 +49,7 @@ def plot(title, rows, floor, file_name):
     """Error over time, the Pareto front as a line."""
     import matplotlib
     matplotlib.use("Agg")
-    from matplotlib import pyplot
+    from matplotlib import pyplot, ticker
 
     figure, axes = pyplot.subplots(figsize=(7, 5))
     kinds = {}
@@ -67,8 +67,12 @@ def plot(title, rows, floor, file_name):
     best = front([row[1:] for row in rows])
     line = sorted((rows[n][1], max(rows[n][2], 1e-5)) for n in best)
     axes.loglog(*zip(*line), "k-", linewidth=1, label="Pareto front")
-    axes.axhspan(axes.get_ylim()[0], floor, color="0.9",
-                 label="error of the reference")
+    lowest = min(axes.get_ylim()[0], 0.7 * floor)
+    axes.axhspan(lowest, floor, color="0.9", label="error of the reference")
+    axes.set_ylim(bottom=lowest)
+    axes.yaxis.set_major_formatter(ticker.FuncFormatter(lambda y, _: percent(y)))
+    axes.yaxis.set_minor_formatter(ticker.FuncFormatter(
+        lambda y, _: percent(y) if f"{y:.0e}"[0] in "25" else ""))
     axes.set(xlabel="time [s]", ylabel="relative error", title=title)
     axes.legend(fontsize=7)
     figure.tight_layout()

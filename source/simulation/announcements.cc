@@ -82,6 +82,18 @@ describe_roughness(const Cut<dim> &cut)
 
 
 
+template <int dim>
+std::string
+describe_solve(const CutBody<dim> &body)
+{
+  return body.is_condensed()
+           ? "  all rows are solved from one factorization, condensed onto the "
+             "cut."
+           : "  every row is solved anew, " + body.why_anew() + ".";
+}
+
+
+
 std::string
 describe_arrest(const Event &event,
                 const unsigned int n_rows,
@@ -135,7 +147,11 @@ describe_cut(const CutBody<3> &, const unsigned int);
 template std::string
 describe_roughness(const Cut<2> &);
 template std::string
+describe_solve(const CutBody<2> &);
+template std::string
 describe_roughness(const Cut<3> &);
+template std::string
+describe_solve(const CutBody<3> &);
 template std::vector<std::string>
 describe_loose_pieces(const Scene<2> &,
                       const CutBody<2> &,

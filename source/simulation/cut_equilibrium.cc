@@ -36,21 +36,48 @@ struct OwnEquilibrium
 
 
 template <int dim>
+std::string
+CutBody<dim>::why_anew() const
+{
+  using Solve = DivisionParameters::Solve;
+  if (has_single_states || seams.empty() || seam().n_double_pairs() == 0 ||
+      !seam().holds())
+    return "there is no seam";
+  if (scene.division.solve == Solve::anew)
+    return "as Division/Solve says";
+  if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+    return "since there are several processes";
+  if (scene.division.solve == Solve::condensed)
+    return "";
+  if (scene.solver.method == SolverParameters::Method::iterative)
+    return "since Solver/Method is iterative";
+  if (seam().rows().size() < fewest_rows)
+    return "since there are few rows";
+  if (model->discretization.dof_handler.n_dofs() > most_unknowns)
+    return "since there are more than " + std::to_string(most_unknowns) +
+           " unknowns";
+  if (CondensedEquilibrium<dim>::memory(2 * dim * seam().n_double_pairs()) >
+      most_memory)
+    return "since the cut has too many unknowns for the memory";
+  return "";
+}
+
+
+
+template <int dim>
 bool
 CutBody<dim>::is_condensed() const
 {
-  using Solve = DivisionParameters::Solve;
-  if (scene.division.solve == Solve::anew || seams.empty() ||
-      seam().n_double_pairs() == 0 || !seam().holds() ||
-      Utilities::MPI::n_mpi_processes(communicator) > 1)
-    return false;
-  if (scene.division.solve == Solve::condensed)
-    return true;
-  return scene.solver.method != SolverParameters::Method::iterative &&
-         seam().rows().size() >= fewest_rows &&
-         model->discretization.dof_handler.n_dofs() <= most_unknowns &&
-         CondensedEquilibrium<dim>::memory(2 * dim * seam().n_double_pairs()) <=
-           most_memory;
+  return why_anew().empty();
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::expect_single_states()
+{
+  has_single_states = true;
 }
 
 

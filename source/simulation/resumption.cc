@@ -92,6 +92,25 @@ find_earlier_run(const Scene<dim> &scene,
 
 
 
+namespace
+{
+/** Prepare the equations of a row as for its solve: a factor that grows from
+ * row to row has the same digits only if it grows by the same steps. */
+template <int dim>
+void
+repeat_preparation(const Scene<dim> &scene,
+                   const unsigned int row,
+                   CutBody<dim> &body)
+{
+  if (!body.is_condensed() || body.is_left_out(row))
+    return;
+  body.equilibrium();
+  if (scene.yield.needs_seam())
+    body.equilibrium_without(row);
+}
+} // namespace
+
+
 template <int dim>
 void
 repeat_surgeries(const Scene<dim> &scene,
@@ -109,9 +128,15 @@ repeat_surgeries(const Scene<dim> &scene,
       if (n_split == 0 && !scene.yield.needs_seam())
         continue;
       body.open();
+      if (!divided && scene.yield.needs_seam())
+        repeat_preparation(scene, 0, body);
       for (unsigned int row = 0; row < n_split; ++row)
-        if (!body.is_left_out(row))
-          body.release(row);
+        {
+          if (!body.is_left_out(row))
+            body.release(row);
+          if (!divided)
+            repeat_preparation(scene, row + 1, body);
+        }
       if (divided)
         body.divide();
     }

@@ -314,6 +314,7 @@ Simulation<dim>::open()
       throw SolverError("The" + line.str().substr(1));
     }
   recorder.progress.show(line.str());
+  recorder.progress.show(describe_solve(body));
 }
 
 

@@ -27,6 +27,7 @@ Trial<dim>::Trial(const Scene<dim> &scene,
   , earlier(earlier)
   , body(scene, refinement, communicator)
 {
+  body.expect_single_states();
   if (scene.cut.cuts.empty() || !body.approach(scene.cut.cuts.front()))
     {
       add_state({});

@@ -25,6 +25,11 @@ template <int dim>
 std::string
 describe_roughness(const Cut<dim> &cut);
 
+/** How the rows of the newest cut will be solved, and why. */
+template <int dim>
+std::string
+describe_solve(const CutBody<dim> &body);
+
 std::string
 describe_arrest(const Event &event,
                 const unsigned int n_rows,

@@ -80,6 +80,19 @@ public:
   std::shared_ptr<EquilibriumSolver>
   equilibrium();
 
+  /** Whether all rows of the newest cut are solved from one factorization. */
+  bool
+  is_condensed() const;
+
+  /** Why they are not, in words that follow "every row is solved anew"; empty
+   * where they are. */
+  std::string
+  why_anew() const;
+
+  /** Do not prepare for more than one state of a cut. */
+  void
+  expect_single_states();
+
   /** The equilibrium if the ties of one row were taken off.
    *
    * @throw std::runtime_error where that leaves a part which nothing holds. */
@@ -128,10 +141,6 @@ private:
   dealii::AffineConstraints<double>
   empty_constraints() const;
 
-  /** Whether all rows of the newest cut are solved from one factorization. */
-  bool
-  is_condensed() const;
-
   std::shared_ptr<EquilibriumSolver>
   equilibrium_under(dealii::AffineConstraints<double> &&constraints);
 
@@ -161,6 +170,7 @@ private:
   /** What the pieces will be when the newest cut has gone through. */
   std::vector<unsigned int> parts;
   std::unique_ptr<PieceMotions<dim>> motions;
+  bool has_single_states = false;
   /** For the newest cut, as long as nothing but its ties changes. */
   std::shared_ptr<CondensedEquilibrium<dim>> condensed;
   /** What the newest cut's rows open; empty until somebody asks. */

@@ -1,0 +1,181 @@
+// What a sparse factor leaves of the unknowns that come last is what they are
+// to each other; and a dense factor that grows is that of the whole matrix.
+
+#include <setsudan/solver/growing_cholesky.h>
+#include <setsudan/solver/schur_complement.h>
+
+#include <cmath>
+
+#include "../elasticity/solved_model.h"
+#include "../test_setup.h"
+
+using namespace Setsudan;
+using namespace dealii;
+
+const Assignments bar = {"Body/Elements=3, 2, 2",
+                         "Support/Fixed faces=left",
+                         "Load/Body force=0, 0, -1"};
+
+
+LA::SparseMatrix
+assemble(SolvedModel<3> &solved)
+{
+  LA::SparseMatrix matrix;
+  assemble_stiffness(solved.model.discretization,
+                     solved.model.stiffness,
+                     solved.model.supports,
+                     matrix);
+  return matrix;
+}
+
+
+LA::Vector
+solve(const CholeskyFactor &factor, const LA::Vector &b)
+{
+  LA::Vector x = b;
+  factor.from_order(factor.solve_upper(factor.solve_lower(factor.in_order(b))),
+                    x);
+  return x;
+}
+
+
+/** Unknowns of the bar, not in order of their places. */
+std::vector<unsigned int>
+some_unknowns(const SolvedModel<3> &solved)
+{
+  std::vector<unsigned int> unknowns;
+  for (unsigned int i = 0; i < solved.displacement.size(); i += 7)
+    if (!solved.model.supports.is_constrained(i))
+      unknowns.push_back(i);
+  return unknowns;
+}
+
+
+void
+test_solve(SolvedModel<3> &solved)
+{
+  const LA::SparseMatrix matrix = assemble(solved);
+  const LA::Vector b = condense(solved.model.supports, solved.model.loads);
+  LA::Vector x       = solve(CholeskyFactor(matrix, {}, 0), b);
+  x -= solved.displacement;
+  check_below(
+    "solve", x.linfty_norm() / solved.displacement.linfty_norm(), 1e-10);
+}
+
+
+/** S times that part of the inverse is the identity, with a shift or without.
+ */
+void
+test_complement(SolvedModel<3> &solved, const double shift)
+{
+  const LA::SparseMatrix matrix = assemble(solved);
+  const auto last               = some_unknowns(solved);
+  const CholeskyFactor whole(matrix, {}, 0), parted(matrix, last, shift);
+  const SchurComplement complement(parted, shift);
+  double error = 0;
+  for (const unsigned int j : {0u, 1u, unsigned(last.size() - 1)})
+    {
+      LA::Vector unit    = solved.displacement;
+      unit               = 0;
+      unit(last[j])      = 1;
+      const LA::Vector x = solve(whole, unit);
+      for (unsigned int i = 0; i < last.size(); ++i)
+        {
+          double sum = 0;
+          for (unsigned int k = 0; k < last.size(); ++k)
+            sum += complement(i, k) * x(last[k]);
+          error = std::max(error, std::abs(sum - (i == j)));
+        }
+    }
+  check_below("complement", error, 1e-11);
+}
+
+
+void
+test_growing(SolvedModel<3> &solved)
+{
+  const auto last = some_unknowns(solved);
+  const SchurComplement s(CholeskyFactor(assemble(solved), last, 0), 0);
+  GrowingCholesky growing(last.size());
+  const auto append = [&](const unsigned int n) {
+    std::vector<std::vector<double>> rows;
+    for (unsigned int i = growing.size(); i < n; ++i)
+      {
+        rows.emplace_back();
+        for (unsigned int j = 0; j <= i; ++j)
+          rows.back().push_back(s(i, j));
+      }
+    growing.append(rows);
+  };
+  const auto error = [&]() {
+    std::vector<double> x(growing.size(), 1.);
+    growing.solve(x);
+    double largest = 0;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      {
+        double sum = -1;
+        for (unsigned int j = 0; j < x.size(); ++j)
+          sum += s(i, j) * x[j];
+        largest = std::max(largest, std::abs(sum));
+      }
+    return largest;
+  };
+  append(5);
+  check_below("at first", error(), 1e-11);
+  append(5);
+  append(17);
+  check_below("grown", error(), 1e-11);
+  growing.shrink(9);
+  check_below("shrunk", error(), 1e-11);
+  append(last.size());
+  check_below("whole", error(), 1e-11);
+}
+
+
+void
+test_failures()
+{
+  SolvedModel<3> solved(bar);
+  LA::SparseMatrix matrix;
+  AffineConstraints<double> nothing(solved.model.discretization.relevant);
+  nothing.close();
+  assemble_stiffness(
+    solved.model.discretization, solved.model.stiffness, nothing, matrix);
+  try
+    {
+      // The rigid motions' energy is round-off; this makes it negative.
+      for (unsigned int i = 0; i < 6; ++i)
+        matrix.set(i, i, -matrix.diag_element(i));
+      matrix.compress(VectorOperation::insert);
+      CholeskyFactor factor(matrix, {}, 0);
+      std::cout << "FAILED: a matrix was factored that is not definite\n";
+    }
+  catch (const SolverError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+  GrowingCholesky growing(2);
+  try
+    {
+      growing.append({{1.}, {2., 1.}});
+      std::cout << "FAILED: a matrix was factored that is not definite\n";
+    }
+  catch (const SolverError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    SolvedModel<3> solved(bar);
+    test_solve(solved);
+    test_complement(solved, 0);
+    test_complement(solved, 3);
+    test_growing(solved);
+    test_failures();
+  });
+}
