@@ -19,7 +19,8 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
   const auto n_unknowns      = discretization.dof_handler.n_dofs();
   const auto n_elements      = scene.body.mesh.cells.size();
   const auto n_cells = discretization.triangulation.n_global_active_cells();
-  const auto solver  = make_linear_solver(scene.solver, n_unknowns);
+  const auto solver =
+    make_linear_solver(scene.solver, n_unknowns, body.communicator);
   std::ostringstream line;
   const std::string type =
     scene.shape.element_type == ElementType::linear      ? " linear"

@@ -12,9 +12,6 @@ namespace Setsudan
 {
 namespace
 {
-// Below this number of unknowns KLU's whole solve is a few milliseconds.
-constexpr unsigned int small_size = 1500;
-
 // MUMPS's errors for a workspace that is too small (INFOG(1); users' guide).
 constexpr int integers_too_small = -8;
 constexpr int reals_too_small    = -9;

@@ -46,8 +46,9 @@ Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
   , constraints(constraints)
   // The iteration's own residual differs a little from the true one.
   , accepted(std::max(failed_above, 2 * parameters.tolerance))
-  , solver(
-      make_linear_solver(parameters, model.discretization.dof_handler.n_dofs()))
+  , solver(make_linear_solver(parameters,
+                              model.discretization.dof_handler.n_dofs(),
+                              model.discretization.communicator))
 {
   assemble_stiffness(
     model.discretization, model.stiffness, constraints, matrix);

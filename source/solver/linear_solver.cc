@@ -1,3 +1,6 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/solver/cholesky_solver.h>
 #include <setsudan/solver/direct_solver.h>
 #include <setsudan/solver/iterative_solver.h>
 #include <setsudan/solver/linear_solver.h>
@@ -6,14 +9,18 @@ namespace Setsudan
 {
 std::unique_ptr<LinearSolver>
 make_linear_solver(const SolverParameters &parameters,
-                   const dealii::types::global_dof_index n_unknowns)
+                   const dealii::types::global_dof_index n_unknowns,
+                   const MPI_Comm communicator)
 {
   using Method      = SolverParameters::Method;
   const bool direct = parameters.method == Method::direct ||
                       (parameters.method == Method::automatic &&
                        n_unknowns <= parameters.direct_up_to);
-  if (direct)
-    return std::make_unique<DirectSolver>(n_unknowns);
-  return std::make_unique<IterativeSolver>(parameters);
+  if (!direct)
+    return std::make_unique<IterativeSolver>(parameters);
+  if (n_unknowns > DirectSolver::small_size &&
+      dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+    return std::make_unique<CholeskySolver>();
+  return std::make_unique<DirectSolver>(n_unknowns);
 }
 } // namespace Setsudan

@@ -27,7 +27,8 @@ std::string
 description(const SolvedModel<dim> &solved)
 {
   return make_linear_solver(solved.solver_parameters,
-                            solved.model.discretization.dof_handler.n_dofs())
+                            solved.model.discretization.dof_handler.n_dofs(),
+                            MPI_COMM_WORLD)
     ->description();
 }
 

@@ -64,7 +64,7 @@ test_choice()
                       SolverParameters::declare));
       for (const unsigned int n : {1, 1500, 1501, 20000, 20001})
         {
-          const auto solver = make_linear_solver(parameters, n);
+          const auto solver = make_linear_solver(parameters, n, MPI_COMM_WORLD);
           std::cout << method << ", " << n
                     << " unknowns: " << solver->description()
                     << (solver->is_iterative() ? ", iterates" : "")

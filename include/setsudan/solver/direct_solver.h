@@ -19,6 +19,9 @@ namespace Setsudan
 class DirectSolver : public LinearSolver
 {
 public:
+  /** Up to this number of unknowns KLU's whole solve is a few milliseconds. */
+  static constexpr unsigned int small_size = 1500;
+
   /**
    * @param spare_percent workspace that MUMPS gets beyond its estimate. Over
    *   several processes its need depends on which of them is ready first, and

@@ -57,8 +57,10 @@ public:
   is_iterative() const = 0;
 };
 
-/** The solver that the parameters ask for; `auto` decides by the size. */
+/** The solver that the parameters ask for; `auto` decides by the size. The
+ * direct one is KLU for small systems, CHOLMOD on one process, and MUMPS. */
 std::unique_ptr<LinearSolver>
 make_linear_solver(const SolverParameters &parameters,
-                   const dealii::types::global_dof_index n_unknowns);
+                   const dealii::types::global_dof_index n_unknowns,
+                   const MPI_Comm communicator);
 } // namespace Setsudan

@@ -1,0 +1,46 @@
+#include <setsudan/solver/cholesky_solver.h>
+
+namespace Setsudan
+{
+void
+CholeskySolver::initialize(const LA::SparseMatrix &matrix,
+                           const std::vector<std::vector<double>> &)
+{
+  factor.reset();
+  factor =
+    std::make_unique<CholeskyFactor>(matrix, std::vector<unsigned int>(), 0.);
+}
+
+
+
+void
+CholeskySolver::solve(LA::Vector &x, const LA::Vector &b)
+{
+  factor->from_order(
+    factor->solve_upper(factor->solve_lower(factor->in_order(b))), x);
+}
+
+
+
+void
+CholeskySolver::approximate(LA::Vector &x, const LA::Vector &b)
+{
+  solve(x, b);
+}
+
+
+
+std::string
+CholeskySolver::description() const
+{
+  return "direct (CHOLMOD)";
+}
+
+
+
+bool
+CholeskySolver::is_iterative() const
+{
+  return false;
+}
+} // namespace Setsudan
