@@ -89,6 +89,7 @@ class Choice:
 
     def settings(self, scene):
         values = {"Output/Frames": "none", "Output/Checkpoint": "none",
+                  "Division/Solve": "every row anew",
                   "Body/Element type": self.element, "Division/Release": self.release,
                   "Cut/Refinement near cut": str(self.near), **dict(self.more)}
         if self.target:

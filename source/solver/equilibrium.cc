@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace Setsudan
@@ -12,13 +11,6 @@ using namespace dealii;
 
 namespace
 {
-// A solve whose residual exceeds the first and what the scene allows has
-// failed, unless that is what round-off leaves; beyond the second it has in any
-// case.
-constexpr double lost_above            = 1e-5;
-constexpr unsigned int max_refinements = 5;
-
-
 /** The rigid motions in this process's unknowns, one vector each. */
 template <int dim>
 std::vector<std::vector<double>>
@@ -119,12 +111,7 @@ Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
     }
   assess(x, residual, scale);
 
-  // What the products in K x lose at best. Written so that a residual that is
-  // not a number fails as well.
-  const double round_off = 10 * std::numeric_limits<double>::epsilon() *
-                           matrix.linfty_norm() * x.l2_norm();
-  if (!(error <= accepted * scale ||
-        (error <= round_off && error <= lost_above * scale)))
+  if (!is_accepted(error, scale, matrix.linfty_norm(), x, accepted))
     fail();
   return x;
 }

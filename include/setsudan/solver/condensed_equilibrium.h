@@ -87,6 +87,13 @@ private:
   LA::Vector
   solve_for(const LA::Vector &b) const;
 
+  /** Find the quality of a displacement, and refuse what is none. */
+  void
+  assess(const LA::Vector &x,
+         const LA::Vector &correction,
+         const double error,
+         const double scale);
+
   ElasticModel<dim> &model;
   const std::shared_ptr<const Constraints> base;
   std::shared_ptr<const Constraints> step;
@@ -95,6 +102,8 @@ private:
   std::unique_ptr<CholeskyFactor> factor;
   std::unique_ptr<SchurComplement> complement;
   std::unique_ptr<GrowingCholesky> reduced;
+  /** The largest sum of a row of the stiffness. */
+  double largest_entry = 0;
   /** The unknown of each column of Q. */
   std::vector<unsigned int> free_unknowns;
   std::vector<Column> basis;

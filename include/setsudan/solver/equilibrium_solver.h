@@ -21,6 +21,21 @@ struct SolveQuality
  * failed where it exceeds the second. */
 inline constexpr double refined_above = 1e-13;
 inline constexpr double failed_above  = 1e-8;
+/** A solve is mended so often at most. */
+inline constexpr unsigned int max_refinements = 5;
+
+/**
+ * Whether a solve is good enough: its residual is small beside the loads, or is
+ * what the products in K x lose to round-off at best.
+ *
+ * @param norm_of_matrix the largest sum of a row's magnitudes in K.
+ */
+bool
+is_accepted(const double residual,
+            const double loads,
+            const double norm_of_matrix,
+            const LA::Vector &x,
+            const double accepted = failed_above);
 
 /** The body's equilibrium for one set of constraints, in whichever way it is
  * prepared. */
