@@ -95,6 +95,7 @@ CutBody<dim>::approach(const Cut<dim> &cut)
     }
   if (surface.empty())
     return false;
+  condensed.reset();
   split = split_mesh(mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
@@ -173,7 +174,6 @@ template <int dim>
 void
 CutBody<dim>::divide()
 {
-  condensed.reset();
   seam().set_all_states(Seam<dim>::State::free);
   labels.piece = parts;
   find_loose_pieces();

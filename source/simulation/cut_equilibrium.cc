@@ -97,7 +97,8 @@ CutBody<dim>::equilibrium_under(AffineConstraints<double> &&present)
 {
   const auto held =
     std::make_shared<const AffineConstraints<double>>(std::move(present));
-  if (is_condensed())
+  // The pieces, in the end, are one step more of what there is.
+  if (condensed || is_condensed())
     {
       if (!condensed)
         condensed = std::make_shared<CondensedEquilibrium<dim>>(

@@ -13,14 +13,15 @@
 using namespace Setsudan;
 using namespace dealii;
 
-/** How far the state with the blade on a row is from that solved anew. */
+/** How far the state under the blade is from that solved anew. */
 template <int dim>
 double
-difference(const Scene<dim> &scene, CutBody<dim> &body, const unsigned int row)
+difference(const Scene<dim> &scene,
+           CutBody<dim> &body,
+           const BladeLoad<dim> &blade)
 {
-  const LA::Vector zero = body.model->discretization.zero_vector();
-  const State<dim> state =
-    solve_state(scene, body, blade_on_row(body, row), 1, zero);
+  const LA::Vector zero  = body.model->discretization.zero_vector();
+  const State<dim> state = solve_state(scene, body, blade, 1, zero);
   const auto constraints = body.constraints();
   LA::Vector anew =
     Equilibrium<dim>(*body.model, constraints, scene.solver)
@@ -58,17 +59,19 @@ test(const std::string &name,
         {
           if (body.is_left_out(row))
             continue;
-          largest = std::max(largest, difference(scene, body, row));
+          const auto blade = blade_on_row(body, row);
+          largest          = std::max(largest, difference(scene, body, blade));
           // To look at the state without this row leaves no trace.
           const auto without =
             looks_ahead ? body.equilibrium_without(row) : body.equilibrium();
           is_condensed =
             is_condensed &&
             dynamic_cast<CondensedEquilibrium<dim> *>(without.get());
-          largest = std::max(largest, difference(scene, body, row));
+          largest = std::max(largest, difference(scene, body, blade));
           body.release(row);
         }
       body.divide();
+      largest = std::max(largest, difference(scene, body, no_blade(body)));
     }
   std::cout << name << (is_condensed ? "" : ": not condensed") << std::endl;
   check_below("  difference", largest, 1e-10);
