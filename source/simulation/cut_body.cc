@@ -285,45 +285,27 @@ CutBody<dim>::seam() const
 
 template <int dim>
 AffineConstraints<double>
-CutBody<dim>::empty_constraints() const
+CutBody<dim>::constraints_of(const unsigned int n_seams) const
 {
   const auto &discretization = model->discretization;
   IndexSet lines             = discretization.relevant;
   for (const auto &seam : seams)
     lines.add_indices(
       seam.coupled_indices(discretization.dof_handler.n_dofs()));
-  return AffineConstraints<double>(lines);
-}
-
-
-
-template <int dim>
-void
-CutBody<dim>::add_base_constraints(AffineConstraints<double> &constraints) const
-{
+  AffineConstraints<double> constraints(lines);
   for (const auto *part : {&model->hanging, &model->supports})
     constraints.merge(
       *part, AffineConstraints<double>::no_conflicts_allowed, true);
   if (scene.supports.drop_loose_pieces())
     for (const auto &loose : loose_pieces)
-      constrain_dropped_piece(model->discretization, parts, loose, constraints);
+      constrain_dropped_piece(discretization, parts, loose, constraints);
   else if (!loose_pieces.empty())
     for (const auto index :
-         unknowns_of_hold(model->discretization, mesh, parts, loose_pieces))
+         unknowns_of_hold(discretization, mesh, parts, loose_pieces))
       if (constraints.can_store_line(index))
         constraints.add_line(index);
-  for (unsigned int s = 0; s + 1 < seams.size(); ++s)
+  for (unsigned int s = 0; s < n_seams; ++s)
     seams[s].add_constraints(constraints);
-}
-
-
-
-template <int dim>
-AffineConstraints<double>
-CutBody<dim>::base_constraints() const
-{
-  auto constraints = empty_constraints();
-  add_base_constraints(constraints);
   constraints.close();
   return constraints;
 }
@@ -334,12 +316,7 @@ template <int dim>
 AffineConstraints<double>
 CutBody<dim>::constraints() const
 {
-  auto constraints = empty_constraints();
-  add_base_constraints(constraints);
-  if (!seams.empty())
-    seam().add_constraints(constraints);
-  constraints.close();
-  return constraints;
+  return constraints_of(seams.size());
 }
 
 

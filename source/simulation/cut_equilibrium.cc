@@ -103,7 +103,8 @@ CutBody<dim>::equilibrium_under(AffineConstraints<double> &&present)
       if (!condensed)
         condensed = std::make_shared<CondensedEquilibrium<dim>>(
           *model,
-          std::make_shared<const AffineConstraints<double>>(base_constraints()),
+          std::make_shared<const AffineConstraints<double>>(
+            constraints_of(seams.size() - 1)),
           seam().coupled_indices(model->discretization.dof_handler.n_dofs()));
       if (condensed->set_constraints(held))
         return condensed;

@@ -276,12 +276,4 @@ CholeskyFactor::last_block() const
     }
   return block;
 }
-
-
-
-double
-CholeskyFactor::n_entries() const
-{
-  return workspace->factor->xsize;
-}
 } // namespace Setsudan

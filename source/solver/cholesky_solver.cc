@@ -22,25 +22,9 @@ CholeskySolver::solve(LA::Vector &x, const LA::Vector &b)
 
 
 
-void
-CholeskySolver::approximate(LA::Vector &x, const LA::Vector &b)
-{
-  solve(x, b);
-}
-
-
-
 std::string
 CholeskySolver::description() const
 {
   return "direct (CHOLMOD)";
-}
-
-
-
-bool
-CholeskySolver::is_iterative() const
-{
-  return false;
 }
 } // namespace Setsudan

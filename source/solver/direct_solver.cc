@@ -101,25 +101,9 @@ DirectSolver::solve(LA::Vector &x, const LA::Vector &b)
 
 
 
-void
-DirectSolver::approximate(LA::Vector &x, const LA::Vector &b)
-{
-  solve(x, b);
-}
-
-
-
 std::string
 DirectSolver::description() const
 {
   return small ? "direct (KLU)" : "direct (MUMPS, Cholesky)";
-}
-
-
-
-bool
-DirectSolver::is_iterative() const
-{
-  return false;
 }
 } // namespace Setsudan

@@ -130,16 +130,10 @@ private:
   void
   drop(const std::vector<LoosePiece> &loose);
 
-  /** What holds besides the newest seam; closed. */
+  /** Supports, hanging nodes, the first seams and what holds loose pieces;
+   * closed. */
   dealii::AffineConstraints<double>
-  base_constraints() const;
-
-  void
-  add_base_constraints(dealii::AffineConstraints<double> &constraints) const;
-
-  /** The constraints of this process couple these. */
-  dealii::AffineConstraints<double>
-  empty_constraints() const;
+  constraints_of(const unsigned int n_seams) const;
 
   std::shared_ptr<EquilibriumSolver>
   equilibrium_under(dealii::AffineConstraints<double> &&constraints);

@@ -55,10 +55,6 @@ public:
   std::vector<double>
   last_block() const;
 
-  /** The entries of L. */
-  double
-  n_entries() const;
-
 private:
   struct Workspace;
   std::unique_ptr<Workspace> workspace;

@@ -40,14 +40,8 @@ public:
   void
   solve(LA::Vector &x, const LA::Vector &b) override;
 
-  void
-  approximate(LA::Vector &x, const LA::Vector &b) override;
-
   std::string
   description() const override;
-
-  bool
-  is_iterative() const override;
 
 private:
   /** Factorize by MUMPS.

@@ -46,7 +46,10 @@ public:
   /** About what solve() would give, in the least time: one application of the
    * factor or of the multigrid. */
   virtual void
-  approximate(LA::Vector &x, const LA::Vector &b) = 0;
+  approximate(LA::Vector &x, const LA::Vector &b)
+  {
+    solve(x, b);
+  }
 
   /** The method, in words. */
   virtual std::string
@@ -54,7 +57,10 @@ public:
 
   /** Whether it makes use of rigid modes and of a first guess. */
   virtual bool
-  is_iterative() const = 0;
+  is_iterative() const
+  {
+    return false;
+  }
 };
 
 /** The solver that the parameters ask for; `auto` decides by the size. The
