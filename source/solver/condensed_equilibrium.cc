@@ -219,44 +219,31 @@ CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
                                  const LA::Vector &prescribed,
                                  const LA::Vector &)
 {
-  const auto remaining = [&](const LA::Vector &displacement) {
+  Mending mending;
+  mending.rest_of = [&](const LA::Vector &displacement) {
     LA::Vector rest = forces;
     rest -= internal_forces(model.discretization,
                             model.stiffness,
                             model.discretization.with_ghosts(displacement));
     return rest;
   };
-  const LA::Vector b = remaining(prescribed);
-  const double scale = condense(*step, b).l2_norm();
-  if (!std::isfinite(scale))
-    throw SolverError(
-      "The loads exceed the range of numbers, the sum of their squares is no "
-      "number. Choose units of force and length in which they are smaller.");
-  LA::Vector x = solve_for(condense(*base, b));
+  mending.norm = [&](const LA::Vector &rest) {
+    return condense(*step, rest).l2_norm();
+  };
+  mending.correction = [&](const LA::Vector &rest) {
+    return solve_for(condense(*base, rest));
+  };
+  const LA::Vector b = mending.rest_of(prescribed);
+  const double scale = mending.norm(b);
+  check_loads(scale);
+  LA::Vector x = mending.correction(b);
   x += prescribed;
+  const LA::Vector rest = mend(x, scale * refined_above, mending);
 
-  // What is left over is solved for as well: that tells what the displacement
-  // is worth, and mends it.
-  LA::Vector rest       = remaining(x);
-  LA::Vector correction = solve_for(condense(*base, rest));
-  double error          = condense(*step, rest).l2_norm();
-  for (unsigned int n = 0; n < max_refinements && error > refined_above * scale;
-       ++n)
-    {
-      LA::Vector better = x;
-      better += correction;
-      rest                   = remaining(better);
-      const double new_error = condense(*step, rest).l2_norm();
-      if (!(new_error < error))
-        break;
-      const bool converges = new_error < error / 2;
-      x                    = better;
-      error                = new_error;
-      correction           = solve_for(condense(*base, rest));
-      if (!converges)
-        break;
-    }
-  assess(x, correction, error, scale);
+  const double error = mending.norm(rest);
+  quality            = quality_of(x, mending.correction(rest), error, scale);
+  if (!is_accepted(error, scale, largest_entry, x))
+    fail();
   return x;
 }
 
@@ -264,22 +251,13 @@ CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
 
 template <int dim>
 void
-CondensedEquilibrium<dim>::assess(const LA::Vector &x,
-                                  const LA::Vector &correction,
-                                  const double error,
-                                  const double scale)
+CondensedEquilibrium<dim>::fail() const
 {
-  const double largest = x.linfty_norm();
-  quality.residual     = scale > 0 ? error / scale : 0;
-  quality.uncertainty  = largest > 0 ? correction.linfty_norm() / largest : 0;
-  if (!is_accepted(error, scale, largest_entry, x))
-    {
-      std::ostringstream message;
-      message << "The condensed solve left a relative residual of "
-              << quality.residual << ", which must not exceed " << failed_above
-              << ". Set Division/Solve = every row anew.";
-      throw SolverError(message.str());
-    }
+  std::ostringstream message;
+  message << "The condensed solve left a relative residual of "
+          << quality.residual << ", which must not exceed " << failed_above
+          << ". Set Division/Solve = every row anew.";
+  throw SolverError(message.str());
 }
 
 

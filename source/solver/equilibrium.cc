@@ -80,55 +80,34 @@ LA::Vector
 Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
 {
   const double scale = b.l2_norm();
-  if (!std::isfinite(scale))
-    throw SolverError(
-      "The loads exceed the range of numbers, the sum of their squares is no "
-      "number. Choose units of force and length in which they are smaller.");
+  check_loads(scale);
   LA::Vector x = guess;
   solver->solve(x, b);
 
-  LA::Vector residual = b;
-  double error        = matrix.residual(residual, x, b);
+  Mending mending;
+  mending.rest_of = [&](const LA::Vector &solution) {
+    LA::Vector rest = b;
+    matrix.residual(rest, solution, b);
+    return rest;
+  };
+  mending.norm       = [](const LA::Vector &rest) { return rest.l2_norm(); };
+  mending.correction = [&](const LA::Vector &rest) {
+    LA::Vector correction = b;
+    correction            = 0;
+    solver->solve(correction, rest);
+    return correction;
+  };
   // Conjugate gradients that went on for long take for solved what is not.
-  const double wanted =
-    scale * (solver->is_iterative() ? accepted : refined_above);
-  for (unsigned int n = 0; n < max_refinements && error > wanted; ++n)
-    {
-      LA::Vector better = b;
-      better            = 0;
-      solver->solve(better, residual);
-      better += x;
-      LA::Vector new_residual = b;
-      const double new_error  = matrix.residual(new_residual, better, b);
-      if (!(new_error < error))
-        break;
-      const bool converges = new_error < error / 2;
-      x                    = better;
-      residual             = new_residual;
-      error                = new_error;
-      if (!converges)
-        break;
-    }
-  assess(x, residual, scale);
+  const LA::Vector rest = mend(
+    x, scale * (solver->is_iterative() ? accepted : refined_above), mending);
 
+  LA::Vector correction = x;
+  solver->approximate(correction, rest);
+  const double error = rest.l2_norm();
+  quality            = quality_of(x, correction, error, scale);
   if (!is_accepted(error, scale, matrix.linfty_norm(), x, accepted))
     fail();
   return x;
-}
-
-
-
-template <int dim>
-void
-Equilibrium<dim>::assess(const LA::Vector &x,
-                         const LA::Vector &residual,
-                         const double scale)
-{
-  LA::Vector error = x;
-  solver->approximate(error, residual);
-  const double largest = x.linfty_norm();
-  quality.residual     = scale > 0 ? residual.l2_norm() / scale : 0;
-  quality.uncertainty  = largest > 0 ? error.linfty_norm() / largest : 0;
 }
 
 

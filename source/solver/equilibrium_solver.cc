@@ -1,5 +1,8 @@
 #include <setsudan/solver/equilibrium_solver.h>
 
+#include <setsudan/solver/linear_solver.h>
+
+#include <cmath>
 #include <limits>
 
 namespace Setsudan
@@ -18,5 +21,56 @@ is_accepted(const double residual,
   // Written so that a residual that is not a number fails as well.
   return residual <= accepted * loads ||
          (residual <= round_off && residual <= lost_above * loads);
+}
+
+
+
+LA::Vector
+mend(LA::Vector &x, const double wanted, const Mending &mending)
+{
+  constexpr unsigned int most = 5;
+  LA::Vector rest             = mending.rest_of(x);
+  double error                = mending.norm(rest);
+  bool converges              = true;
+  for (unsigned int n = 0; n < most && converges && error > wanted; ++n)
+    {
+      LA::Vector better = mending.correction(rest);
+      better += x;
+      const LA::Vector new_rest = mending.rest_of(better);
+      const double new_error    = mending.norm(new_rest);
+      if (!(new_error < error))
+        break;
+      converges = new_error < error / 2;
+      x         = better;
+      rest      = new_rest;
+      error     = new_error;
+    }
+  return rest;
+}
+
+
+
+void
+check_loads(const double size)
+{
+  if (!std::isfinite(size))
+    throw SolverError(
+      "The loads exceed the range of numbers, the sum of their squares is no "
+      "number. Choose units of force and length in which they are smaller.");
+}
+
+
+
+SolveQuality
+quality_of(const LA::Vector &x,
+           const LA::Vector &correction,
+           const double residual,
+           const double loads)
+{
+  const double largest = x.linfty_norm();
+  SolveQuality quality;
+  quality.residual    = loads > 0 ? residual / loads : 0;
+  quality.uncertainty = largest > 0 ? correction.linfty_norm() / largest : 0;
+  return quality;
 }
 } // namespace Setsudan

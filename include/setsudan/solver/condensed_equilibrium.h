@@ -87,12 +87,8 @@ private:
   LA::Vector
   solve_for(const LA::Vector &b) const;
 
-  /** Find the quality of a displacement, and refuse what is none. */
-  void
-  assess(const LA::Vector &x,
-         const LA::Vector &correction,
-         const double error,
-         const double scale);
+  [[noreturn]] void
+  fail() const;
 
   ElasticModel<dim> &model;
   const std::shared_ptr<const Constraints> base;

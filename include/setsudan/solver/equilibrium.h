@@ -36,10 +36,6 @@ private:
   LA::Vector
   solve_condensed(const LA::Vector &b, const LA::Vector &guess);
 
-  /** Find the quality of a solution. */
-  void
-  assess(const LA::Vector &x, const LA::Vector &residual, const double scale);
-
   [[noreturn]] void
   fail() const;
 

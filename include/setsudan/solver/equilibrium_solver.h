@@ -2,7 +2,7 @@
 
 #include <setsudan/elasticity/linear_algebra.h>
 
-#include <string>
+#include <functional>
 
 namespace Setsudan
 {
@@ -21,8 +21,6 @@ struct SolveQuality
  * failed where it exceeds the second. */
 inline constexpr double refined_above = 1e-13;
 inline constexpr double failed_above  = 1e-8;
-/** A solve is mended so often at most. */
-inline constexpr unsigned int max_refinements = 5;
 
 /**
  * Whether a solve is good enough: its residual is small beside the loads, or is
@@ -36,6 +34,37 @@ is_accepted(const double residual,
             const double norm_of_matrix,
             const LA::Vector &x,
             const double accepted = failed_above);
+
+/** How a solution is mended. */
+struct Mending
+{
+  /** What a solution leaves over of the loads. */
+  std::function<LA::Vector(const LA::Vector &)> rest_of;
+  /** The size of that. */
+  std::function<double(const LA::Vector &)> norm;
+  /** The displacement that it belongs to. */
+  std::function<LA::Vector(const LA::Vector &)> correction;
+};
+
+/**
+ * Solve for what a solution leaves over, and add that, as long as it lowers the
+ * residual by half and the residual exceeds `wanted`.
+ *
+ * @return what is left over in the end.
+ */
+LA::Vector
+mend(LA::Vector &x, const double wanted, const Mending &mending);
+
+/** @throw SolverError where the size of the loads is no number. */
+void
+check_loads(const double size);
+
+/** The quality of a solution `x`, of which `correction` is about the error. */
+SolveQuality
+quality_of(const LA::Vector &x,
+           const LA::Vector &correction,
+           const double residual,
+           const double loads);
 
 /** The body's equilibrium for one set of constraints, in whichever way it is
  * prepared. */
