@@ -1,5 +1,6 @@
 #include <deal.II/dofs/dof_tools.h>
 
+#include <setsudan/elasticity/cell_batches.h>
 #include <setsudan/elasticity/elastic_model.h>
 
 namespace Setsudan
@@ -31,6 +32,10 @@ ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
   constrain_supports(supports_of_body);
 }
 
+
+
+template <int dim>
+ElasticModel<dim>::~ElasticModel() = default;
 
 
 template <int dim>
@@ -69,6 +74,35 @@ ElasticModel<dim>::constrain_supports(const Supports<dim> &supports_of_body)
 
 
 
+template <int dim>
+CellBatches<dim> &
+ElasticModel<dim>::batches()
+{
+  if (!cell_batches)
+    cell_batches =
+      std::make_unique<CellBatches<dim>>(discretization, materials);
+  return *cell_batches;
+}
+
+
+
+template <int dim>
+LA::Vector
+internal_forces(ElasticModel<dim> &model, const LA::Vector &displacement)
+{
+  if (model.discretization.type == ElementType::linear)
+    return internal_forces(model.discretization,
+                           model.stiffness,
+                           model.discretization.with_ghosts(displacement));
+  return internal_forces(model.batches(), displacement);
+}
+
+
+
 template struct ElasticModel<2>;
 template struct ElasticModel<3>;
+template LA::Vector
+internal_forces(ElasticModel<2> &, const LA::Vector &);
+template LA::Vector
+internal_forces(ElasticModel<3> &, const LA::Vector &);
 } // namespace Setsudan

@@ -7,8 +7,6 @@
 #include <setsudan/elasticity/dilatation.h>
 #include <setsudan/elasticity/stiffness.h>
 
-#include <limits>
-
 namespace Setsudan
 {
 using namespace dealii;
@@ -26,6 +24,7 @@ ElementStiffness<dim>::ElementStiffness(
       update_gradients | update_JxW_values |
         (materials.any_is_mixed() ? update_quadrature_points : update_default))
   , matrix(discretization.fe.n_dofs_per_cell())
+  , shapes(discretization)
 {
 }
 
@@ -37,11 +36,9 @@ ElementStiffness<dim>::operator()(const Cell &cell)
 {
   const unsigned int element  = discretization.element(cell);
   const unsigned int material = materials.number(element);
-  auto shape                  = shape_of(cell);
-  if (!is_last(cell, shape, material))
+  if (!shapes.is_last(cell) || material != last_material)
     {
       integrate(cell, materials.of_element(element));
-      last_shape    = std::move(shape);
       last_material = material;
     }
   return matrix;
@@ -54,44 +51,6 @@ unsigned int
 ElementStiffness<dim>::n_integrations() const
 {
   return integrations;
-}
-
-
-
-template <int dim>
-std::vector<Tensor<1, dim>>
-ElementStiffness<dim>::shape_of(const Cell &cell) const
-{
-  std::vector<Tensor<1, dim>> shape;
-  if (discretization.is_curved())
-    {
-      const auto nodes = discretization.node_positions(cell);
-      for (const auto &node : nodes)
-        shape.push_back(node - nodes[0]);
-    }
-  else
-    for (const unsigned int v : cell->vertex_indices())
-      shape.push_back(cell->vertex(v) - cell->vertex(0));
-  return shape;
-}
-
-
-
-template <int dim>
-bool
-ElementStiffness<dim>::is_last(const Cell &cell,
-                               const std::vector<Tensor<1, dim>> &shape,
-                               const unsigned int material) const
-{
-  if (last_shape.empty() || material != last_material)
-    return false;
-  // The cells of a box differ by the round-off of their vertices' coordinates.
-  const double tolerance = 16 * std::numeric_limits<double>::epsilon() *
-                           (cell->vertex(0).norm() + cell->diameter());
-  for (unsigned int i = 0; i < shape.size(); ++i)
-    if ((shape[i] - last_shape[i]).norm() > tolerance)
-      return false;
-  return true;
 }
 
 

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/simulation/announcements.h>
-#include <setsudan/solver/linear_solver.h>
+#include <setsudan/solver/equilibrium_ladder.h>
 
 #include <algorithm>
 #include <map>
@@ -19,8 +19,6 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
   const auto n_unknowns      = discretization.dof_handler.n_dofs();
   const auto n_elements      = scene.body.mesh.cells.size();
   const auto n_cells = discretization.triangulation.n_global_active_cells();
-  const auto solver =
-    make_linear_solver(scene.solver, n_unknowns, body.communicator);
   std::ostringstream line;
   const std::string type =
     scene.shape.element_type == ElementType::linear      ? " linear"
@@ -33,10 +31,11 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
     line << "refined to " << n_cells << " cells, ";
   line << n_unknowns << " unknowns on "
        << Utilities::MPI::n_mpi_processes(body.communicator)
-       << " process(es).\nSolver: " << solver->description();
+       << " process(es).\nSolver: "
+       << EquilibriumLadder<dim>::description(*body.model, scene.solver);
   if (scene.solver.method == SolverParameters::Method::automatic)
     line << ", chosen because the unknowns "
-         << (solver->is_iterative() ? "exceed " : "do not exceed ")
+         << (scene.solver.is_direct(n_unknowns) ? "do not exceed " : "exceed ")
          << "Solver/Direct up to = " << scene.solver.direct_up_to;
   line << ".";
   if (scene.material.any_is_mixed())

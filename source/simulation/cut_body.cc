@@ -19,6 +19,7 @@ CutBody<dim>::CutBody(const Scene<dim> &scene,
   , refinement(refinement)
   , mesh(scene.body.mesh)
   , scene(scene)
+  , choice(scene)
 {
   rebuild();
   labels.side.assign(mesh.cells.size(), 0);
@@ -45,7 +46,7 @@ template <int dim>
 void
 CutBody<dim>::rebuild()
 {
-  condensed.reset();
+  choice.forget();
   model = std::make_unique<ElasticModel<dim>>(mesh,
                                               refinement,
                                               scene.body,
@@ -95,7 +96,7 @@ CutBody<dim>::approach(const Cut<dim> &cut)
     }
   if (surface.empty())
     return false;
-  condensed.reset();
+  choice.forget();
   split = split_mesh(mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
@@ -133,6 +134,54 @@ CutBody<dim>::release(const unsigned int row)
                        scene.division.opens ? Seam<dim>::State::opened
                                             : Seam<dim>::State::free);
   find_loose_pieces();
+}
+
+
+
+template <int dim>
+std::string
+CutBody<dim>::why_anew() const
+{
+  return choice.why_anew(*model, seams.empty() ? nullptr : &seam());
+}
+
+
+
+template <int dim>
+bool
+CutBody<dim>::is_condensed() const
+{
+  return why_anew().empty();
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::expect_single_states()
+{
+  choice.expect_single_states();
+}
+
+
+
+template <int dim>
+std::shared_ptr<EquilibriumSolver>
+CutBody<dim>::equilibrium_under(AffineConstraints<double> &&constraints)
+{
+  return choice.solver(*model,
+                       seams.empty() ? nullptr : &seam(),
+                       std::move(constraints),
+                       [&] { return constraints_of(seams.size() - 1); });
+}
+
+
+
+template <int dim>
+std::shared_ptr<EquilibriumSolver>
+CutBody<dim>::equilibrium()
+{
+  return equilibrium_under(constraints());
 }
 
 
@@ -210,7 +259,7 @@ CutBody<dim>::find_loose_pieces()
         drop(loose_pieces);
     }
   if (loose_pieces != known)
-    condensed.reset();
+    choice.forget();
 }
 
 
@@ -361,10 +410,7 @@ template <int dim>
 LA::Vector
 CutBody<dim>::internal_forces(const LA::Vector &displacement)
 {
-  return Setsudan::internal_forces(
-    model->discretization,
-    model->stiffness,
-    model->discretization.with_ghosts(displacement));
+  return Setsudan::internal_forces(*model, displacement);
 }
 
 

@@ -253,6 +253,8 @@ void
 Recorder<dim>::warn_of_round_off(const State<dim> &state)
 {
   const auto &quality = state.quality;
+  if (!quality.remark.empty())
+    progress.warn(quality.remark);
   if ((quality.residual <= 1e-8 && quality.uncertainty <= 1e-5) ||
       warned_of_round_off)
     return;

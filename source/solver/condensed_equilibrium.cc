@@ -222,9 +222,7 @@ CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
   Mending mending;
   mending.rest_of = [&](const LA::Vector &displacement) {
     LA::Vector rest = forces;
-    rest -= internal_forces(model.discretization,
-                            model.stiffness,
-                            model.discretization.with_ghosts(displacement));
+    rest -= internal_forces(model, displacement);
     return rest;
   };
   mending.norm = [&](const LA::Vector &rest) {

@@ -59,9 +59,7 @@ Equilibrium<dim>::solve(const LA::Vector &forces,
                         const LA::Vector &guess)
 {
   LA::Vector remaining = forces;
-  remaining -= internal_forces(model.discretization,
-                               model.stiffness,
-                               model.discretization.with_ghosts(prescribed));
+  remaining -= internal_forces(model, prescribed);
   const LA::Vector b = condense(constraints, remaining);
 
   LA::Vector x = guess;
@@ -117,6 +115,15 @@ SolveQuality
 Equilibrium<dim>::quality_of_last() const
 {
   return quality;
+}
+
+
+
+template <int dim>
+std::string
+Equilibrium<dim>::description() const
+{
+  return solver->description();
 }
 
 

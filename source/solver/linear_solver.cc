@@ -12,11 +12,7 @@ make_linear_solver(const SolverParameters &parameters,
                    const dealii::types::global_dof_index n_unknowns,
                    const MPI_Comm communicator)
 {
-  using Method      = SolverParameters::Method;
-  const bool direct = parameters.method == Method::direct ||
-                      (parameters.method == Method::automatic &&
-                       n_unknowns <= parameters.direct_up_to);
-  if (!direct)
+  if (!parameters.is_direct(n_unknowns))
     return std::make_unique<IterativeSolver>(parameters);
   if (n_unknowns > DirectSolver::small_size &&
       dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)

@@ -13,8 +13,8 @@ SolverParameters::declare(ParameterHandler &handler)
                     "auto",
                     Patterns::Selection("auto|direct|iterative"),
                     "direct: sparse Cholesky; iterative: conjugate gradients "
-                    "with algebraic multigrid; auto: by the number of "
-                    "unknowns.");
+                    "with multigrid, and without a matrix where elements are "
+                    "not linear; auto: by the number of unknowns.");
   Setsudan::declare(handler,
                     "Solver",
                     "Direct up to",
@@ -52,5 +52,14 @@ SolverParameters::SolverParameters(const Parameters &parameters)
                      "Solver",
                      "Tolerance",
                      "a number greater than 0 and at most 1e-3");
+}
+
+
+
+bool
+SolverParameters::is_direct(const types::global_dof_index n_unknowns) const
+{
+  return method == Method::direct ||
+         (method == Method::automatic && n_unknowns <= direct_up_to);
 }
 } // namespace Setsudan

@@ -11,6 +11,7 @@ import sys
 ROOMS = [
     "parameters",
     "element",
+    "kernel",
     "body",
     "elasticity",
     "solver",

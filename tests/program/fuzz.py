@@ -10,6 +10,7 @@ usage: fuzz.py PROGRAM [--tries N] [--first N] [--only N] [--keep DIRECTORY]
 
 import argparse
 import concurrent.futures
+import math
 import os
 import pathlib
 import random
@@ -80,6 +81,8 @@ def mutated_number(generator, match):
     if generator.random() < 0.4:
         return generator.choice(TEXTS)
     changed = generator.choice(choices)
+    if not math.isfinite(changed):
+        return repr(changed)
     return str(int(changed)) if changed == int(changed) else repr(changed)
 
 

@@ -20,6 +20,27 @@ Physical Surface("ground", 2) = {s[1]};
 Physical Surface("lid", 3) = {v[0]};
 """
 
+# A surface that gmsh cannot mesh, in one of its threads, out of which it must not
+# throw, whatever the file asks for.
+OPEN_LOOP = """
+General.AbortOnError = 2;
+Point(1) = {0, 0, 0};
+Point(2) = {1, 0, 0};
+Point(3) = {1, 1, 0};
+Point(4) = {0, 1, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Transfinite Curve{1:4} = 3;
+Curve Loop(1) = {2:4};
+Plane Surface(1) = {1};
+Transfinite Surface{1};
+Recombine Surface{1};
+v[] = Extrude {0, 0, 1} { Surface{1}; Layers{1}; Recombine; };
+Physical Volume("block", 1) = {v[1]};
+"""
+
 # One hexahedron of 8 nodes, of which two are exchanged.
 INVERTED = """$MeshFormat
 2.2 0 8
@@ -80,6 +101,7 @@ CASES = [
     wrong_file("syntax.geo", "Point(1) = {0, 0, 0};\nLine(1) = 2;\n", "line 2"),
     wrong_file("tetrahedra.geo", GEOMETRY.replace("Recombine;", ""), ""),
     wrong_file("body.txt", GEOMETRY, ""),
+    wrong_file("open_loop.geo", OPEN_LOOP, "gmsh cannot mesh the geometry"),
     wrong_on_block("Support/Fixed faces", "floor",
                    "the groups ground, lid, block, and 'floor' is none of them"),
     wrong_on_block("Material/Young's modulus", "5; ground: 2", "'ground' is none"),

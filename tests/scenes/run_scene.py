@@ -56,11 +56,12 @@ def main():
     parser.add_argument("--scene", required=True)
     parser.add_argument("--expected", required=True)
     parser.add_argument("--tolerance", type=float, default=1e-8)
+    parser.add_argument("--set", action="append", default=[], dest="settings")
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
 
     with tempfile.TemporaryDirectory() as directory:
-        program.run(options, options.scene, directory)
+        program.run(options, options.scene, directory, options.settings)
         lines = tables.read(pathlib.Path(directory) / "statistics.csv")
         if options.update:
             written = pathlib.Path(directory) / "statistics.csv"

@@ -7,6 +7,9 @@
 
 namespace Setsudan
 {
+template <int dim>
+class CellBatches;
+
 /** All of the elastic body that hangs on its mesh, and is made anew when the
  * mesh is cut. */
 template <int dim>
@@ -21,6 +24,13 @@ struct ElasticModel
                const MaterialParameters<dim> &materials,
                const MPI_Comm communicator,
                const ElementType element_type = ElementType::serendipity);
+
+  ~ElasticModel();
+
+  /** The cells for work without a matrix, which is made when it is first asked
+   * for; not for linear elements. */
+  CellBatches<dim> &
+  batches();
 
   const MaterialParameters<dim> &materials;
   Discretization<dim> discretization;
@@ -42,5 +52,13 @@ struct ElasticModel
 private:
   void
   constrain_supports(const Supports<dim> &supports_of_body);
+
+  std::unique_ptr<CellBatches<dim>> cell_batches;
 };
+
+/** The nodal forces K u by which the elements resist a displacement, with no
+ * constraint applied; neither has ghosts. */
+template <int dim>
+LA::Vector
+internal_forces(ElasticModel<dim> &model, const LA::Vector &displacement);
 } // namespace Setsudan

@@ -3,6 +3,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <setsudan/elasticity/cell_shapes.h>
 #include <setsudan/elasticity/dilatation.h>
 #include <setsudan/elasticity/material_parameters.h>
 
@@ -37,16 +38,6 @@ public:
   n_integrations() const;
 
 private:
-  /** The corners of a cell, or all nodes where the body is curved, relative to
-   * its first. */
-  std::vector<dealii::Tensor<1, dim>>
-  shape_of(const Cell &cell) const;
-
-  bool
-  is_last(const Cell &cell,
-          const std::vector<dealii::Tensor<1, dim>> &shape,
-          const unsigned int material) const;
-
   void
   integrate(const Cell &cell, const Material &material);
 
@@ -59,7 +50,7 @@ private:
   const MaterialParameters<dim> &materials;
   dealii::FEValues<dim> fe_values;
   dealii::FullMatrix<double> matrix;
-  std::vector<dealii::Tensor<1, dim>> last_shape;
+  CellShapes<dim> shapes;
   unsigned int last_material = 0;
   unsigned int integrations  = 0;
 };

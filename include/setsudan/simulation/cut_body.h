@@ -5,8 +5,7 @@
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/elasticity/piece_motions.h>
 #include <setsudan/output/frames.h>
-#include <setsudan/simulation/scene.h>
-#include <setsudan/solver/condensed_equilibrium.h>
+#include <setsudan/simulation/equilibrium_choice.h>
 
 #include <memory>
 #include <vector>
@@ -158,15 +157,13 @@ private:
   make_seam(const BegunCut &begun, const CoarseMesh<dim> &split) const;
 
   const Scene<dim> &scene;
+  EquilibriumChoice<dim> choice;
   std::vector<BegunCut> begun_cuts;
   /** The mesh behind the newest cut's surgery, before it is made. */
   CoarseMesh<dim> split;
   /** What the pieces will be when the newest cut has gone through. */
   std::vector<unsigned int> parts;
   std::unique_ptr<PieceMotions<dim>> motions;
-  bool has_single_states = false;
-  /** For the newest cut, as long as nothing but its ties changes. */
-  std::shared_ptr<CondensedEquilibrium<dim>> condensed;
   /** What the newest cut's rows open; empty until somebody asks. */
   std::vector<RowArea> areas;
 };

@@ -30,6 +30,10 @@ public:
   SolveQuality
   quality_of_last() const override;
 
+  /** The solver, in words. */
+  std::string
+  description() const;
+
 private:
   /** Solve for the condensed loads, and improve the solution as long as that
    * lowers the residual. */

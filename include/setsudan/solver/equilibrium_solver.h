@@ -3,6 +3,7 @@
 #include <setsudan/elasticity/linear_algebra.h>
 
 #include <functional>
+#include <string>
 
 namespace Setsudan
 {
@@ -15,6 +16,8 @@ struct SolveQuality
   /** How large about the largest displacement is to which that residual
    * belongs, relative to the largest one. */
   double uncertainty = 0;
+  /** What the user should know of how it was solved; mostly nothing. */
+  std::string remark;
 };
 
 /** A solve is mended where its relative residual exceeds the first, and has

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_precondition.h>
-
+#include <setsudan/solver/algebraic_multigrid.h>
 #include <setsudan/solver/linear_solver.h>
 
 namespace Setsudan
 {
-/** Conjugate gradients, preconditioned by Trilinos' smoothed aggregation (ML)
- * that knows the rigid motions of the body. */
+/** Conjugate gradients, preconditioned by algebraic multigrid. */
 class IterativeSolver : public LinearSolver
 {
 public:
@@ -32,8 +30,6 @@ public:
 private:
   const SolverParameters parameters;
   const LA::SparseMatrix *matrix = nullptr;
-  dealii::TrilinosWrappers::PreconditionAMG multigrid;
-  /** The modes, one behind the other; ML keeps a pointer to them. */
-  std::vector<double> null_space;
+  AlgebraicMultigrid multigrid;
 };
 } // namespace Setsudan

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/base/types.h>
+
 #include <setsudan/parameters/parameters.h>
 
 namespace Setsudan
@@ -13,6 +15,10 @@ struct SolverParameters
     direct,
     iterative
   };
+
+  /** Whether a body of so many unknowns is to be solved directly. */
+  bool
+  is_direct(const dealii::types::global_dof_index n_unknowns) const;
 
   Method method;
   unsigned int direct_up_to;

@@ -1,0 +1,89 @@
+#pragma once
+
+namespace Setsudan
+{
+/**
+ * Several cells of one element type that are worked on at once, one in each
+ * lane of the processor's vector registers. All arrays begin at multiples of 64
+ * bytes, and the lane is their fastest index.
+ *
+ * The points are those of Gauss's rule with 3 points in each direction, x
+ * fastest.
+ */
+struct CellBatch
+{
+  /** Where the first component of each node's displacement is in a vector, the
+   * others behind it: [node][lane], nodes as deal.II orders those of FE_Q(2).
+   */
+  const unsigned int *nodes;
+
+  /** At each point the gradient of each reference coordinate r, times the
+   * square root of the point's weight and volume: [point][r][direction][lane];
+   * without lanes where `is_uniform`. */
+  const double *gradients;
+
+  /** Lamé's constants: [lambda, mu][lane]. */
+  const double *moduli;
+
+  /** For a mixed formulation: an orthonormal basis of the functions onto which
+   * the dilatation is projected, at each point times the square root of weight
+   * and volume: [point][dim + 1][lane]. Nothing for others. */
+  const double *pressures;
+
+  /** Whether all cells have the same shape. */
+  bool is_uniform;
+
+  /** The lanes that hold a cell; the rest repeats the last of them. */
+  unsigned int n_cells;
+};
+
+/**
+ * What is computed cell by cell without the cells' matrices: K u and parts of
+ * K. The kernels know neither vectors nor meshes, so that they can be compiled
+ * for several kinds of processors, the best of which is chosen at run time.
+ */
+template <int dim>
+struct StiffnessKernel
+{
+  /** The kind of processor. */
+  const char *name;
+
+  /** Cells in a batch. */
+  unsigned int n_lanes;
+
+  /**
+   * Add K u of a batch's cells to forces.
+   *
+   * Displacements are expanded to the 3^dim nodes of the full quadratic
+   * element, which adds nothing but what the serendipity functions are at them;
+   * there, all sums over the nodes are taken one direction after the other.
+   */
+  void (*apply_serendipity)(const CellBatch &batch,
+                            const double *displacement,
+                            double *forces);
+
+  /** The same for full quadratic elements. */
+  void (*apply_quadratic)(const CellBatch &batch,
+                          const double *displacement,
+                          double *forces);
+
+  /**
+   * The stiffness that functions have.
+   *
+   * @param gradients of the functions in reference coordinates:
+   *   [point][function][direction].
+   * @param matrix [function][component][function][component][lane], or, if it
+   *   is `diagonal`, [function][component][lane].
+   */
+  void (*integrate)(const CellBatch &batch,
+                    const double *gradients,
+                    unsigned int n_functions,
+                    bool diagonal,
+                    double *matrix);
+};
+
+/** The kernel for the processor that this is. */
+template <int dim>
+const StiffnessKernel<dim> &
+stiffness_kernel();
+} // namespace Setsudan

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <setsudan/cut/seam.h>
+#include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/simulation/scene.h>
+#include <setsudan/solver/equilibrium_solver.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace Setsudan
+{
+template <int dim>
+class CondensedEquilibrium;
+template <int dim>
+class EquilibriumLadder;
+
+/** Chooses how the states of a cut are solved, and keeps what each state can
+ * take over from the one before. */
+template <int dim>
+class EquilibriumChoice
+{
+public:
+  using Constraints = dealii::AffineConstraints<double>;
+
+  /** @param scene must live as long. */
+  explicit EquilibriumChoice(const Scene<dim> &scene);
+
+  /** Do not prepare for more than one state of a cut. */
+  void
+  expect_single_states();
+
+  /** Forget what has been prepared: more has changed than the newest seam's
+   * ties. */
+  void
+  forget();
+
+  /** Why the rows of a seam are not all solved from one factorization, in words
+   * that follow "every row is solved anew"; empty where they are.
+   *
+   * @param seam the newest one; nothing where there is none. */
+  std::string
+  why_anew(const ElasticModel<dim> &model, const Seam<dim> *seam) const;
+
+  /**
+   * The equilibrium under constraints. It may be the same object at the next
+   * call, for others.
+   *
+   * @param without_seam the constraints without those of the newest seam.
+   */
+  std::shared_ptr<EquilibriumSolver>
+  solver(ElasticModel<dim> &model,
+         const Seam<dim> *seam,
+         Constraints &&constraints,
+         const std::function<Constraints()> &without_seam);
+
+private:
+  const Scene<dim> &scene;
+  bool has_single_states = false;
+  std::shared_ptr<CondensedEquilibrium<dim>> condensed;
+  /** The last one for a single state. */
+  std::shared_ptr<EquilibriumLadder<dim>> ladder;
+};
+} // namespace Setsudan

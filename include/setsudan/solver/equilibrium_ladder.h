@@ -1,0 +1,72 @@
+#pragma once
+
+#include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/solver/equilibrium_solver.h>
+#include <setsudan/solver/solver_parameters.h>
+
+#include <memory>
+#include <string>
+
+namespace Setsudan
+{
+template <int dim>
+class Equilibrium;
+template <int dim>
+class MultigridEquilibrium;
+
+/**
+ * The equilibrium for one set of constraints by the solver that suits the
+ * body: the direct one; or multigrid over the order of the functions, and one
+ * of the assembled matrix where that does not converge.
+ */
+template <int dim>
+class EquilibriumLadder : public EquilibriumSolver
+{
+public:
+  using Constraints = dealii::AffineConstraints<double>;
+
+  /** @param is_assembled whether to begin with the assembled matrix. */
+  EquilibriumLadder(ElasticModel<dim> &model,
+                    std::shared_ptr<const Constraints> constraints,
+                    const SolverParameters &parameters,
+                    const bool is_assembled = false);
+
+  ~EquilibriumLadder() override;
+
+  LA::Vector
+  solve(const LA::Vector &forces,
+        const LA::Vector &prescribed,
+        const LA::Vector &guess) override;
+
+  SolveQuality
+  quality_of_last() const override;
+
+  /** Whether multigrid has failed. */
+  bool
+  has_fallen_back() const;
+
+  /** The solver that is tried first, in words. */
+  static std::string
+  description(const ElasticModel<dim> &model,
+              const SolverParameters &parameters);
+
+private:
+  /** Whether there is a multigrid for this body, and it is to be used. */
+  static bool
+  is_matrix_free(const ElasticModel<dim> &model,
+                 const SolverParameters &parameters);
+
+  void
+  assemble();
+
+  ElasticModel<dim> &model;
+  const std::shared_ptr<const Constraints> constraints;
+  SolverParameters parameters;
+  std::unique_ptr<MultigridEquilibrium<dim>> multigrid;
+  std::unique_ptr<Equilibrium<dim>> assembled;
+  /** What went wrong with multigrid, until it has been said. */
+  std::string failure;
+  bool fell_back = false;
+  SolveQuality quality;
+};
+} // namespace Setsudan

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/precondition.h>
+
+#include <setsudan/solver/algebraic_multigrid.h>
+#include <setsudan/solver/constrained_stiffness.h>
+#include <setsudan/solver/vertex_space.h>
+
+#include <memory>
+
+namespace Setsudan
+{
+/**
+ * One cycle of multigrid over the order of the functions: Chebyshev's iteration
+ * with the diagonal smooths, displacements that are linear between vertices
+ * correct the rest, by one cycle of algebraic multigrid on their stiffness.
+ *
+ * The smoother: Adams, Brezina, Hu and Tuminaro 2003, Journal of Computational
+ * Physics 188, 593-610.
+ */
+template <int dim>
+class PMultigrid
+{
+public:
+  using Vector = typename CellBatches<dim>::Vector;
+
+  /** @param stiffness must live as long. */
+  PMultigrid(ElasticModel<dim> &model,
+             const dealii::AffineConstraints<double> &constraints,
+             const ConstrainedStiffness<dim> &stiffness);
+
+  void
+  vmult(Vector &result, const Vector &forces) const;
+
+private:
+  using Smoother =
+    dealii::PreconditionChebyshev<ConstrainedStiffness<dim>, Vector>;
+
+  const ConstrainedStiffness<dim> &stiffness;
+  const VertexSpace<dim> space;
+  const std::unique_ptr<const Epetra_CrsMatrix> coarse_stiffness;
+  AlgebraicMultigrid coarse_solver;
+  Smoother smoother;
+  mutable Vector rest, coarse_forces, coarse_correction;
+};
+} // namespace Setsudan

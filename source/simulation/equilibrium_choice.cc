@@ -1,0 +1,109 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/simulation/equilibrium_choice.h>
+#include <setsudan/solver/condensed_equilibrium.h>
+#include <setsudan/solver/equilibrium_ladder.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+// What is condensed may take this much memory besides the factor, and the
+// factor of a body of more unknowns takes more than a few solves by iterations.
+constexpr double most_memory         = 4e9;
+constexpr unsigned int most_unknowns = 200000;
+// With fewer rows the second factorization does not pay.
+constexpr unsigned int fewest_rows = 3;
+} // namespace
+
+
+template <int dim>
+EquilibriumChoice<dim>::EquilibriumChoice(const Scene<dim> &scene)
+  : scene(scene)
+{
+}
+
+
+
+template <int dim>
+void
+EquilibriumChoice<dim>::expect_single_states()
+{
+  has_single_states = true;
+}
+
+
+
+template <int dim>
+void
+EquilibriumChoice<dim>::forget()
+{
+  condensed.reset();
+}
+
+
+
+template <int dim>
+std::string
+EquilibriumChoice<dim>::why_anew(const ElasticModel<dim> &model,
+                                 const Seam<dim> *seam) const
+{
+  using Solve                = DivisionParameters::Solve;
+  const auto &discretization = model.discretization;
+  if (has_single_states || seam == nullptr || seam->n_double_pairs() == 0 ||
+      !seam->holds())
+    return "there is no seam";
+  if (scene.division.solve == Solve::anew)
+    return "as Division/Solve says";
+  if (Utilities::MPI::n_mpi_processes(discretization.communicator) > 1)
+    return "since there are several processes";
+  if (scene.division.solve == Solve::condensed)
+    return "";
+  if (scene.solver.method == SolverParameters::Method::iterative)
+    return "since Solver/Method is iterative";
+  if (seam->rows().size() < fewest_rows)
+    return "since there are few rows";
+  if (discretization.dof_handler.n_dofs() > most_unknowns)
+    return "since there are more than " + std::to_string(most_unknowns) +
+           " unknowns";
+  if (CondensedEquilibrium<dim>::memory(2 * dim * seam->n_double_pairs()) >
+      most_memory)
+    return "since the cut has too many unknowns for the memory";
+  return "";
+}
+
+
+
+template <int dim>
+std::shared_ptr<EquilibriumSolver>
+EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
+                               const Seam<dim> *seam,
+                               Constraints &&constraints,
+                               const std::function<Constraints()> &without_seam)
+{
+  const auto held = std::make_shared<const Constraints>(std::move(constraints));
+  // The pieces, in the end, are one step more of what there is.
+  if (condensed || why_anew(model, seam).empty())
+    {
+      if (!condensed)
+        condensed = std::make_shared<CondensedEquilibrium<dim>>(
+          model,
+          std::make_shared<const Constraints>(without_seam()),
+          seam->coupled_indices(model.discretization.dof_handler.n_dofs()));
+      if (condensed->set_constraints(held))
+        return condensed;
+      condensed.reset();
+    }
+  // What has failed once is not tried again.
+  ladder = std::make_shared<EquilibriumLadder<dim>>(
+    model, held, scene.solver, ladder && ladder->has_fallen_back());
+  return ladder;
+}
+
+
+
+template class EquilibriumChoice<2>;
+template class EquilibriumChoice<3>;
+} // namespace Setsudan

@@ -1,0 +1,132 @@
+#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/equilibrium_ladder.h>
+#include <setsudan/solver/multigrid_equilibrium.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+// The factor of a larger body takes more memory than a machine is likely to
+// have.
+constexpr types::global_dof_index most_direct_unknowns = 400000;
+} // namespace
+
+
+template <int dim>
+EquilibriumLadder<dim>::EquilibriumLadder(
+  ElasticModel<dim> &model,
+  std::shared_ptr<const Constraints> held,
+  const SolverParameters &parameters,
+  const bool is_assembled)
+  : model(model)
+  , constraints(std::move(held))
+  , parameters(parameters)
+{
+  if (is_assembled &&
+      !parameters.is_direct(model.discretization.dof_handler.n_dofs()))
+    fell_back = true;
+  if (!is_assembled && is_matrix_free(model, parameters))
+    multigrid = std::make_unique<MultigridEquilibrium<dim>>(
+      model, *constraints, parameters);
+  else
+    assemble();
+}
+
+
+
+template <int dim>
+EquilibriumLadder<dim>::~EquilibriumLadder() = default;
+
+
+template <int dim>
+bool
+EquilibriumLadder<dim>::is_matrix_free(const ElasticModel<dim> &model,
+                                       const SolverParameters &parameters)
+{
+  return !parameters.is_direct(model.discretization.dof_handler.n_dofs()) &&
+         model.discretization.type != ElementType::linear;
+}
+
+
+
+template <int dim>
+void
+EquilibriumLadder<dim>::assemble()
+{
+  if (fell_back &&
+      model.discretization.dof_handler.n_dofs() <= most_direct_unknowns)
+    parameters.method = SolverParameters::Method::direct;
+  assembled =
+    std::make_unique<Equilibrium<dim>>(model, *constraints, parameters);
+}
+
+
+
+template <int dim>
+LA::Vector
+EquilibriumLadder<dim>::solve(const LA::Vector &forces,
+                              const LA::Vector &prescribed,
+                              const LA::Vector &guess)
+{
+  if (multigrid)
+    try
+      {
+        const LA::Vector x = multigrid->solve(forces, prescribed, guess);
+        quality            = multigrid->quality_of_last();
+        return x;
+      }
+    catch (const SolverError &error)
+      {
+        multigrid.reset();
+        fell_back = true;
+        assemble();
+        failure = std::string(error.what()) + " From here on the solver is " +
+                  assembled->description() + ".";
+      }
+  const LA::Vector x = assembled->solve(forces, prescribed, guess);
+  quality            = assembled->quality_of_last();
+  quality.remark     = failure;
+  failure.clear();
+  return x;
+}
+
+
+
+template <int dim>
+SolveQuality
+EquilibriumLadder<dim>::quality_of_last() const
+{
+  return quality;
+}
+
+
+
+template <int dim>
+bool
+EquilibriumLadder<dim>::has_fallen_back() const
+{
+  return fell_back;
+}
+
+
+
+template <int dim>
+std::string
+EquilibriumLadder<dim>::description(const ElasticModel<dim> &model,
+                                    const SolverParameters &parameters)
+{
+  if (is_matrix_free(model, parameters))
+    return "iterative (conjugate gradients with multigrid, without a matrix)";
+  return make_linear_solver(parameters,
+                            model.discretization.dof_handler.n_dofs(),
+                            model.discretization.communicator)
+    ->description();
+}
+
+
+
+template class EquilibriumLadder<2>;
+template class EquilibriumLadder<3>;
+} // namespace Setsudan
