@@ -107,8 +107,8 @@ GmshSession::open_geometry(const std::string &file_name, const unsigned int dim)
   // The message that names the line is often not the first.
   gmsh::option::setNumber(on_error, go_on);
   guard("read the file", [&]() { gmsh::open(file_name); });
-  // gmsh meshes in threads, out of which nothing can be thrown, and the file may
-  // have changed the option.
+  // gmsh meshes in threads, out of which nothing can be thrown, and the file
+  // may have changed the option.
   gmsh::option::setNumber(on_error, go_on);
   if (!has_elements(dim))
     guard("mesh the geometry", [&]() { gmsh::model::mesh::generate(dim); });

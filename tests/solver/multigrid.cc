@@ -82,7 +82,7 @@ compare_all()
                                       : Refinement{1, {{1, 9}, {2, 8}}};
   compare<dim>("hanging nodes", 25, box, &uneven, locally);
   compare<dim>("nearly incompressible",
-               60,
+               80,
                {few, "Material/Poisson's ratio=0.49"},
                &uneven);
 }
