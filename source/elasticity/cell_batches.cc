@@ -33,7 +33,8 @@ CellBatches<dim>::CellBatches(const Discretization<dim> &discretization,
   , discretization(discretization)
   , materials(materials)
 {
-  AssertThrow(discretization.type != ElementType::linear, ExcNotImplemented());
+  Assert(discretization.type != ElementType::linear,
+         ExcMessage("The kernels are for elements with nodes on their lines."));
   CellGeometry<dim> geometry(discretization);
   // All cells of a batch have the same formulation.
   for (const bool mixed : {false, true})
@@ -79,9 +80,9 @@ CellBatches<dim>::append(std::vector<Cell> &batch, CellGeometry<dim> &geometry)
       moduli.push_back(
         materials.of_element(discretization.element(cell)).hooke.*modulus);
 
-  bool is_shared = geometry.reinit(batch[0]) && !geometries.empty() &&
-                   geometries.back()->is_uniform &&
-                   geometries.back()->is_mixed == is_mixed(batch[0]);
+  const bool is_shared = geometry.reinit(batch[0]) && !geometries.empty() &&
+                         geometries.back()->is_uniform &&
+                         geometries.back()->is_mixed == is_mixed(batch[0]);
   std::vector<std::vector<double>> gradients{geometry.gradients()}, pressures;
   if (is_mixed(batch[0]))
     pressures.push_back(geometry.pressures());
@@ -136,8 +137,8 @@ CellBatches<dim>::set_partitioner(const IndexSet &ghosts)
           for (unsigned int node = 0; node < n_nodes(); ++node)
             {
               // deal.II numbers the components of a node one after the other.
-              AssertThrow(indices[node][dim - 1] == indices[node][0] + dim - 1,
-                          ExcInternalError());
+              Assert(indices[node][dim - 1] == indices[node][0] + dim - 1,
+                     ExcInternalError());
               nodes[(batch * n_nodes() + node) * kernel.n_lanes + lane] =
                 known->global_to_local(indices[node][0]);
             }
@@ -166,6 +167,31 @@ CellBatches<dim>::apply(const Vector &displacement, Vector &forces) const
                              : kernel.apply_quadratic;
   for (unsigned int batch = 0; batch < size(); ++batch)
     apply_batch((*this)[batch], displacement.begin(), forces.begin());
+}
+
+
+
+template <int dim>
+typename CellBatches<dim>::Vector
+CellBatches<dim>::imported(const LA::Vector &vector) const
+{
+  Vector copy(known);
+  const double *const values = vector.trilinos_vector()[0];
+  std::copy(values, values + copy.locally_owned_size(), copy.begin());
+  return copy;
+}
+
+
+
+template <int dim>
+LA::Vector
+CellBatches<dim>::exported(const Vector &vector) const
+{
+  LA::Vector copy = discretization.zero_vector();
+  std::copy(vector.begin(),
+            vector.begin() + vector.locally_owned_size(),
+            copy.trilinos_vector()[0]);
+  return copy;
 }
 
 
@@ -230,17 +256,12 @@ template <int dim>
 LA::Vector
 internal_forces(const CellBatches<dim> &batches, const LA::Vector &displacement)
 {
-  typename CellBatches<dim>::Vector u(batches.partitioner()),
-    f(batches.partitioner());
-  const double *const values = displacement.trilinos_vector()[0];
-  std::copy(values, values + u.locally_owned_size(), u.begin());
+  auto u = batches.imported(displacement);
+  typename CellBatches<dim>::Vector f(batches.partitioner());
   u.update_ghost_values();
   batches.apply(u, f);
   f.compress(VectorOperation::add);
-  LA::Vector forces = displacement;
-  std::copy(
-    f.begin(), f.begin() + f.locally_owned_size(), forces.trilinos_vector()[0]);
-  return forces;
+  return batches.exported(f);
 }
 
 

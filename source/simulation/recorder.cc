@@ -250,7 +250,7 @@ Recorder<dim>::warn_of_range(const Event &event)
 
 template <int dim>
 void
-Recorder<dim>::warn_of_round_off(const State<dim> &state)
+Recorder<dim>::warn_of_solve(const State<dim> &state)
 {
   const auto &quality = state.quality;
   if (!quality.remark.empty())

@@ -388,7 +388,7 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
     check_energy_of_split(body, state, new_state);
   state = std::move(new_state);
   recorder.warn_of_range(event);
-  recorder.warn_of_round_off(state);
+  recorder.warn_of_solve(state);
 }
 
 

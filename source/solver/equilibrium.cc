@@ -1,4 +1,4 @@
-#include <setsudan/elasticity/rigid_modes.h>
+#include <setsudan/elasticity/near_null_space.h>
 #include <setsudan/solver/equilibrium.h>
 
 #include <algorithm>
@@ -9,35 +9,11 @@ namespace Setsudan
 {
 using namespace dealii;
 
-namespace
-{
-/** The rigid motions in this process's unknowns, one vector each. */
-template <int dim>
-std::vector<std::vector<double>>
-rigid_modes_of(const Discretization<dim> &discretization)
-{
-  const auto &sites = discretization.sites();
-  std::vector<std::vector<double>> modes(n_rigid_modes<dim>,
-                                         std::vector<double>(sites.size()));
-  for (unsigned int i = 0; i < sites.size(); ++i)
-    {
-      const auto motions = rigid_modes(sites[i].position, Point<dim>(), 1.);
-      for (unsigned int m = 0; m < modes.size(); ++m)
-        modes[m][i] = motions[m][sites[i].component];
-    }
-  return modes;
-}
-} // namespace
-
-
 template <int dim>
 Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
                               const AffineConstraints<double> &constraints,
                               const SolverParameters &parameters)
-  : model(model)
-  , constraints(constraints)
-  // The iteration's own residual differs a little from the true one.
-  , accepted(std::max(failed_above, 2 * parameters.tolerance))
+  : ConstrainedEquilibrium<dim>(model, constraints, parameters)
   , solver(make_linear_solver(parameters,
                               model.discretization.dof_handler.n_dofs(),
                               model.discretization.communicator))
@@ -46,29 +22,8 @@ Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
     model.discretization, model.stiffness, constraints, matrix);
   solver->initialize(matrix,
                      solver->is_iterative()
-                       ? rigid_modes_of(model.discretization)
+                       ? rigid_modes_at<dim>(model.discretization.sites())
                        : std::vector<std::vector<double>>());
-}
-
-
-
-template <int dim>
-LA::Vector
-Equilibrium<dim>::solve(const LA::Vector &forces,
-                        const LA::Vector &prescribed,
-                        const LA::Vector &guess)
-{
-  LA::Vector remaining = forces;
-  remaining -= internal_forces(model, prescribed);
-  const LA::Vector b = condense(constraints, remaining);
-
-  LA::Vector x = guess;
-  x -= prescribed;
-  constraints.set_zero(x);
-  x = solve_condensed(b, x);
-  constraints.distribute(x);
-  x += prescribed;
-  return x;
 }
 
 
@@ -106,15 +61,6 @@ Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
   if (!is_accepted(error, scale, matrix.linfty_norm(), x, accepted))
     fail();
   return x;
-}
-
-
-
-template <int dim>
-SolveQuality
-Equilibrium<dim>::quality_of_last() const
-{
-  return quality;
 }
 
 

@@ -19,15 +19,13 @@ EquilibriumLadder<dim>::EquilibriumLadder(
   ElasticModel<dim> &model,
   std::shared_ptr<const Constraints> held,
   const SolverParameters &parameters,
-  const bool is_assembled)
+  const bool has_fallen_back)
   : model(model)
   , constraints(std::move(held))
   , parameters(parameters)
+  , fell_back(has_fallen_back)
 {
-  if (is_assembled &&
-      !parameters.is_direct(model.discretization.dof_handler.n_dofs()))
-    fell_back = true;
-  if (!is_assembled && is_matrix_free(model, parameters))
+  if (!fell_back && is_matrix_free(model, parameters))
     multigrid = std::make_unique<MultigridEquilibrium<dim>>(
       model, *constraints, parameters);
   else

@@ -23,9 +23,9 @@ MultigridEquilibrium<dim>::MultigridEquilibrium(
   ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters)
-  : constraints(constraints)
-  , parameters(parameters)
-  , model(model)
+  : ConstrainedEquilibrium<dim>(model, constraints, parameters)
+  , max_iterations(std::min(parameters.max_iterations, most_iterations))
+  , tolerance(parameters.tolerance)
 {
   model.batches().know(constraints.get_local_lines());
   const auto &batches = model.batches();
@@ -44,67 +44,31 @@ MultigridEquilibrium<dim>::~MultigridEquilibrium() = default;
 
 
 template <int dim>
-typename MultigridEquilibrium<dim>::Vector
-MultigridEquilibrium<dim>::imported(const LA::Vector &vector) const
-{
-  Vector copy(stiffness->batches.partitioner());
-  const double *const values = vector.trilinos_vector()[0];
-  std::copy(values, values + copy.locally_owned_size(), copy.begin());
-  return copy;
-}
-
-
-
-template <int dim>
 LA::Vector
-MultigridEquilibrium<dim>::exported(const Vector &vector) const
+MultigridEquilibrium<dim>::solve_condensed(const LA::Vector &loads,
+                                           const LA::Vector &guess)
 {
-  LA::Vector copy = model.discretization.zero_vector();
-  std::copy(vector.begin(),
-            vector.begin() + vector.locally_owned_size(),
-            copy.trilinos_vector()[0]);
-  return copy;
-}
+  const double scale = loads.l2_norm();
+  check_loads(scale);
+  const auto &batches = stiffness->batches;
+  const Vector b      = batches.imported(loads);
+  Vector x            = batches.imported(guess);
+  iterations          = 0;
+  if (scale > 0)
+    iterate(x, b);
+  else
+    x = 0;
 
-
-
-template <int dim>
-typename MultigridEquilibrium<dim>::Vector
-MultigridEquilibrium<dim>::loads_beside(const LA::Vector &forces,
-                                        const LA::Vector &prescribed) const
-{
-  Vector held = imported(prescribed), loads(held);
-  loads       = 0;
-  held.update_ghost_values();
-  stiffness->batches.apply(held, loads);
-  loads.compress(VectorOperation::add);
-  loads.sadd(-1., 1., imported(forces));
-  lines->condense(loads);
-  loads.compress(VectorOperation::add);
-  return loads;
-}
-
-
-
-template <int dim>
-LA::Vector
-MultigridEquilibrium<dim>::solve(const LA::Vector &forces,
-                                 const LA::Vector &prescribed,
-                                 const LA::Vector &guess)
-{
-  const Vector b = loads_beside(forces, prescribed);
-  check_loads(b.l2_norm());
-  Vector x = imported(guess);
-  x -= imported(prescribed);
-  for (const unsigned int place : lines->owned())
-    x.local_element(place) = 0;
-  iterate(x, b);
-
-  x.update_ghost_values();
-  lines->distribute(x);
-  x.zero_out_ghost_values();
-  x += imported(prescribed);
-  return exported(x);
+  Vector rest(b), correction(b);
+  stiffness->vmult(rest, x);
+  rest.sadd(-1., 1., b);
+  multigrid->vmult(correction, rest);
+  const LA::Vector result = batches.exported(x);
+  quality =
+    quality_of(result, batches.exported(correction), rest.l2_norm(), scale);
+  if (!(quality.residual <= accepted))
+    fail();
+  return result;
 }
 
 
@@ -113,54 +77,28 @@ template <int dim>
 void
 MultigridEquilibrium<dim>::iterate(Vector &x, const Vector &b)
 {
-  iterations         = 0;
-  quality            = {};
-  const double scale = b.l2_norm();
-  if (scale == 0)
-    {
-      x = 0;
-      return;
-    }
-  SolverControl control(std::min(parameters.max_iterations, most_iterations),
-                        parameters.tolerance * scale);
+  SolverControl control(max_iterations, tolerance * b.l2_norm());
   try
     {
       SolverCG<Vector>(control).solve(*stiffness, x, b, *multigrid);
     }
   catch (const SolverControl::NoConvergence &)
     {
-      // The true residual, below, decides.
+      // The true residual decides.
     }
   iterations = control.last_step();
-
-  Vector rest(b), correction(b);
-  stiffness->vmult(rest, x);
-  rest.sadd(-1., 1., b);
-  multigrid->vmult(correction, rest);
-  quality.residual     = rest.l2_norm() / scale;
-  const double largest = x.linfty_norm();
-  if (largest > 0)
-    quality.uncertainty = correction.linfty_norm() / largest;
-  // The iteration's own residual differs a little from the true one.
-  if (!(quality.residual <= std::max(failed_above, 2 * parameters.tolerance)))
-    {
-      std::ostringstream message;
-      message << "Conjugate gradients with multigrid left a relative residual "
-                 "of "
-              << quality.residual << " after " << iterations
-              << " iterations. Set Solver/Method = direct, or allow more "
-                 "iterations with Solver/Maximum iterations.";
-      throw SolverError(message.str());
-    }
 }
 
 
 
 template <int dim>
-SolveQuality
-MultigridEquilibrium<dim>::quality_of_last() const
+void
+MultigridEquilibrium<dim>::fail() const
 {
-  return quality;
+  std::ostringstream message;
+  message << "Conjugate gradients with multigrid left a relative residual of "
+          << quality.residual << " after " << iterations << " iterations.";
+  throw SolverError(message.str());
 }
 
 

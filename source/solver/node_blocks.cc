@@ -26,11 +26,19 @@ NodeBlocks<dim>::NodeBlocks(const Index first,
 
 
 template <int dim>
+bool
+NodeBlocks<dim>::owns(const Index node) const
+{
+  return node >= first && node - first < rows.size();
+}
+
+
+
+template <int dim>
 typename NodeBlocks<dim>::RowOfNode &
 NodeBlocks<dim>::row_of(const Index node)
 {
-  return node >= first && node - first < rows.size() ? rows[node - first]
-                                                     : rows_of_others[node];
+  return owns(node) ? rows[node - first] : rows_of_others[node];
 }
 
 
@@ -138,7 +146,7 @@ NodeBlocks<dim>::columns_of_others() const
   std::vector<Index> others;
   for (const auto &row : rows)
     for (const Index column : row.columns)
-      if (column < first || column - first >= rows.size())
+      if (!owns(column))
         others.push_back(column);
   std::sort(others.begin(), others.end());
   others.erase(std::unique(others.begin(), others.end()), others.end());
@@ -169,7 +177,7 @@ NodeBlocks<dim>::matrix() const
   const Epetra_Map column_map(
     -1, unknowns.size(), unknowns.data(), 0, processes);
   const auto place_of = [&](const Index node) -> Index {
-    if (node >= first && node - first < rows.size())
+    if (owns(node))
       return node - first;
     return rows.size() + (std::lower_bound(others.begin(), others.end(), node) -
                           others.begin());

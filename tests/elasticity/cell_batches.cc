@@ -1,7 +1,9 @@
 // K u cell by cell in batches is K u by the cells' matrices, for all shapes,
 // elements and materials, and so are the parts of K that are asked for.
 
+#include <setsudan/elasticity/cell_batches.h>
 #include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/elasticity/reference_gradients.h>
 
 #include <cmath>
 
@@ -25,6 +27,57 @@ random_displacement(const Discretization<dim> &discretization)
 }
 
 
+/** How far the kernel's matrix of each cell's own functions, and its diagonal,
+ * are from the cell's matrix, relative to that. */
+template <int dim>
+double
+difference_of_matrices(ElasticModel<dim> &model)
+{
+  const auto &batches      = model.batches();
+  const auto &fe           = model.discretization.fe;
+  const unsigned int n     = fe.n_dofs_per_cell();
+  const unsigned int lanes = batches.kernel.n_lanes;
+  const auto gradients     = reference_gradients(
+    fe.base_element(0), model.discretization.n_gauss_points());
+  AlignedVector<double> all(n * n * lanes), diagonal(n * lanes);
+  double error            = 0;
+  unsigned int first_cell = 0;
+  for (unsigned int b = 0; b < batches.size(); ++b)
+    {
+      const CellBatch batch = batches[b];
+      for (const bool is_diagonal : {false, true})
+        batches.kernel.integrate(batch,
+                                 gradients.data(),
+                                 n / dim,
+                                 is_diagonal,
+                                 is_diagonal ? diagonal.data() : all.data());
+      for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
+        {
+          const auto &matrix =
+            model.stiffness(batches.cells()[first_cell + lane]);
+          const double scale = matrix.linfty_norm();
+          const auto place   = [&](const unsigned int i) {
+            const auto [component, node] = fe.system_to_component_index(i);
+            return node * dim + component;
+          };
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const double own = diagonal[place(i) * lanes + lane];
+              error = std::max(error, std::abs(own - matrix(i, i)) / scale);
+              for (unsigned int j = 0; j < n; ++j)
+                error = std::max(
+                  error,
+                  std::abs(all[(place(i) * n + place(j)) * lanes + lane] -
+                           matrix(i, j)) /
+                    scale);
+            }
+        }
+      first_cell += batch.n_cells;
+    }
+  return error;
+}
+
+
 template <int dim>
 void
 test_product(const std::string &name,
@@ -42,6 +95,7 @@ test_product(const std::string &name,
   forces -= old;
   std::cout << dim << "D, " << name << std::endl;
   check_below("  difference", forces.linfty_norm() / old.linfty_norm(), 1e-14);
+  check_below("  of the matrices", difference_of_matrices(model), 1e-14);
 }
 
 

@@ -1,6 +1,6 @@
 // Multigrid without a matrix gives what the direct solver gives, in few
 // iterations whose number does not grow with the body: for all shapes, elements
-// and supports, hanging nodes, and materials far apart.
+// and supports, and hanging nodes. Scenes try ties and materials far apart.
 
 #include <setsudan/solver/multigrid_equilibrium.h>
 

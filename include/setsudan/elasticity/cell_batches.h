@@ -48,6 +48,14 @@ public:
   void
   apply(const Vector &displacement, Vector &forces) const;
 
+  /** A copy of a vector without ghosts that has room for them. */
+  Vector
+  imported(const LA::Vector &vector) const;
+
+  /** The opposite of imported(). */
+  LA::Vector
+  exported(const Vector &vector) const;
+
   unsigned int
   size() const;
 

@@ -76,9 +76,9 @@ public:
   void
   warn_of_range(const Event &event);
 
-  /** Warn, once, of digits that a solve has lost. */
+  /** Warn of what a solve has to say, and, once, of digits that it has lost. */
   void
-  warn_of_round_off(const State<dim> &state);
+  warn_of_solve(const State<dim> &state);
 
   void
   warn_anew();

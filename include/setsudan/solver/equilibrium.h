@@ -1,7 +1,6 @@
 #pragma once
 
-#include <setsudan/elasticity/elastic_model.h>
-#include <setsudan/solver/equilibrium_solver.h>
+#include <setsudan/solver/constrained_equilibrium.h>
 #include <setsudan/solver/linear_solver.h>
 
 namespace Setsudan
@@ -11,24 +10,13 @@ namespace Setsudan
  * prepared matrix, which any number of loads are solved with.
  */
 template <int dim>
-class Equilibrium : public EquilibriumSolver
+class Equilibrium : public ConstrainedEquilibrium<dim>
 {
 public:
-  /**
-   * @param constraints homogeneous and closed. Their local lines name every
-   * unknown that a constraint of this process couples.
-   */
+  /** As the base. */
   Equilibrium(ElasticModel<dim> &model,
               const dealii::AffineConstraints<double> &constraints,
               const SolverParameters &parameters);
-
-  LA::Vector
-  solve(const LA::Vector &forces,
-        const LA::Vector &prescribed,
-        const LA::Vector &guess) override;
-
-  SolveQuality
-  quality_of_last() const override;
 
   /** The solver, in words. */
   std::string
@@ -38,18 +26,18 @@ private:
   /** Solve for the condensed loads, and improve the solution as long as that
    * lowers the residual. */
   LA::Vector
-  solve_condensed(const LA::Vector &b, const LA::Vector &guess);
+  solve_condensed(const LA::Vector &b, const LA::Vector &guess) override;
 
   [[noreturn]] void
   fail() const;
 
-  ElasticModel<dim> &model;
-  const dealii::AffineConstraints<double> &constraints;
-  /** The residual with which a solve is content. */
-  const double accepted;
+  using ConstrainedEquilibrium<dim>::model;
+  using ConstrainedEquilibrium<dim>::constraints;
+  using ConstrainedEquilibrium<dim>::accepted;
+  using ConstrainedEquilibrium<dim>::quality;
+
   LA::SparseMatrix matrix;
   /** Behind the matrix, which must outlive it. */
   std::unique_ptr<LinearSolver> solver;
-  SolveQuality quality;
 };
 } // namespace Setsudan

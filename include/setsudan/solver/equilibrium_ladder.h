@@ -25,11 +25,12 @@ class EquilibriumLadder : public EquilibriumSolver
 public:
   using Constraints = dealii::AffineConstraints<double>;
 
-  /** @param is_assembled whether to begin with the assembled matrix. */
+  /** @param has_fallen_back whether multigrid has failed before, under other
+   * constraints, and is not to be tried. */
   EquilibriumLadder(ElasticModel<dim> &model,
                     std::shared_ptr<const Constraints> constraints,
                     const SolverParameters &parameters,
-                    const bool is_assembled = false);
+                    const bool has_fallen_back = false);
 
   ~EquilibriumLadder() override;
 
@@ -66,7 +67,7 @@ private:
   std::unique_ptr<Equilibrium<dim>> assembled;
   /** What went wrong with multigrid, until it has been said. */
   std::string failure;
-  bool fell_back = false;
+  bool fell_back;
   SolveQuality quality;
 };
 } // namespace Setsudan

@@ -46,6 +46,9 @@ private:
     std::vector<double> values;
   };
 
+  bool
+  owns(const Index node) const;
+
   RowOfNode &
   row_of(const Index node);
 

@@ -2,12 +2,10 @@
 
 #include <setsudan/elasticity/cell_batches.h>
 #include <setsudan/elasticity/elastic_model.h>
-#include <setsudan/solver/constraint_lines.h>
 #include <setsudan/solver/node_blocks.h>
+#include <setsudan/solver/vertex_rows.h>
 
 #include <memory>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace Setsudan
@@ -17,11 +15,8 @@ namespace Setsudan
  * cell, as a subspace of those of a body under constraints: with them multigrid
  * corrects what its smoother leaves.
  *
- * An unknown in the middle of a line, a face or a cell is the mean of those at
- * the vertices around it, and constrained ones are what the constraints make of
- * the others: by that rule alone ties, supports and hanging nodes are all
- * obeyed exactly, whichever they are. Every vertex has `dim` unknowns here, but
- * those that are constrained mean nothing.
+ * By the rule of VertexRows alone ties, supports and hanging nodes are all
+ * obeyed exactly, whichever they are.
  */
 template <int dim>
 class VertexSpace
@@ -60,37 +55,10 @@ public:
   rigid_modes() const;
 
 private:
-  /** An unknown of the body by those of this space, and factors. */
-  using Row = std::vector<std::pair<Index, double>>;
-
-  /** Learn which nodes this process's and neighboring cells have. */
-  void
-  find_nodes();
-
-  /** Give the vertices their numbers in this space. */
-  void
-  number_vertices();
-
-  /** Ask their owners for unknowns that a constraint names and none of this
-   * process's cells has. */
-  void
-  ask_for_rows();
+  using Row = typename VertexRows<dim>::Row;
 
   void
   make_transfer();
-
-  Row
-  row_of(const unsigned int place) const;
-
-  /** The place of a node's component of one of the cells known here. */
-  unsigned int
-  place(const unsigned int cell,
-        const unsigned int node,
-        const unsigned int component) const;
-
-  /** Whether some of a cell's unknowns are constrained. */
-  bool
-  is_constrained(const unsigned int cell) const;
 
   /** @param of_batch the stiffness that the vertices of this cell have in its
    * batch if nothing is constrained. */
@@ -103,35 +71,18 @@ private:
   /** Whether all nodes of a cell, in spite of constraints, are where its
    * vertices take them. */
   bool
-  are_linear(const std::vector<Row> &rows) const;
+  are_linear(const std::vector<Row> &rows_of_cell) const;
 
   template <typename Entry>
   void
-  add_product(const std::vector<Row> &rows,
+  add_product(const std::vector<Row> &rows_of_cell,
               const Entry &entry,
               NodeBlocks<dim> &blocks) const;
 
   ElasticModel<dim> &model;
   const CellBatches<dim> &batches;
-  const Constraints &constraints;
   const ConstraintLines &lines;
-  /** Vertices whose mean each node of a cell is. */
-  std::vector<std::vector<unsigned int>> vertices_of_node;
-  /** Where the nodes' first components are, cell by cell: those of the batches,
-   * then those of neighboring processes' cells. */
-  std::vector<unsigned int> node_places;
-  /** A node of a cell that each place belongs to. */
-  struct Site
-  {
-    unsigned int cell;
-    unsigned char node, component;
-  };
-  std::vector<Site> sites;
-  /** This space's unknown of each place at a vertex. */
-  Vector numbers;
-  Index first_number, n_owned_numbers;
-  std::unordered_map<unsigned int, Row> rows_of_others;
-
+  const VertexRows<dim> rows;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> coarse_partitioner;
   /** The transfer, row by row of this process's unknowns. */
   std::vector<unsigned int> starts, columns;
