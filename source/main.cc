@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/kernel/blas.h>
 #include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/resumption.h>
 #include <setsudan/simulation/simulation.h>
@@ -35,6 +36,7 @@ struct CommandLine
   std::optional<std::string> output;
   bool resume           = false;
   bool validate         = false;
+  bool verbose          = false;
   bool print_parameters = false;
 };
 
@@ -95,11 +97,10 @@ collect_entries(const CommandLine &command_line)
       {"Output", "Directory", *command_line.output, "--output"});
   return entries;
 }
-} // namespace
 
-
-int
-main(int argc, char **argv)
+/** What must be known before MPI begins. */
+void
+prepare_environment()
 {
   // A program that was not started by mpirun need not wait for Open MPI's
   // daemon, which takes longer than a small scene.
@@ -112,12 +113,24 @@ main(int argc, char **argv)
     }
   // A file that may not grow is said in words, like a disk that is full.
   std::signal(SIGXFSZ, SIG_IGN);
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const MPI_Comm communicator = MPI_COMM_WORLD;
-  const bool speaks =
-    dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+}
 
-  CommandLine command_line;
+/** The processes of the communicator that share this one's machine. */
+unsigned int
+n_processes_here(const MPI_Comm communicator)
+{
+  MPI_Comm here;
+  MPI_Comm_split_type(
+    communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+  const unsigned int n = dealii::Utilities::MPI::n_mpi_processes(here);
+  MPI_Comm_free(&here);
+  return n;
+}
+
+/** Read the command line. @return the exit status, where that is all. */
+std::optional<int>
+read(int argc, char **argv, const bool speaks, CommandLine &command_line)
+{
   CLI::App app("Setsudan cuts soft bodies with finite elements.", "setsudan");
   app.set_version_flag("--version", "setsudan " SETSUDAN_VERSION);
   app.add_option("SCENE", command_line.scene, "The scene file (.prm)");
@@ -133,6 +146,9 @@ main(int argc, char **argv)
                command_line.resume,
                "Go on with a run of this scene that was stopped");
   app.add_flag("--validate", command_line.validate, "Check the scene and stop");
+  app.add_flag("--verbose",
+               command_line.verbose,
+               "Say which kernels and threads the program computes with");
   app.add_flag("--print-parameters",
                command_line.print_parameters,
                "Print all parameters and stop");
@@ -149,6 +165,28 @@ main(int argc, char **argv)
         app.exit(error);
       return error.get_exit_code() == 0 ? success : wrong_command_line;
     }
+
+  return {};
+}
+} // namespace
+
+
+int
+main(int argc, char **argv)
+{
+  start_with_fitting_blas(argv);
+  prepare_environment();
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const MPI_Comm communicator = MPI_COMM_WORLD;
+  const bool speaks =
+    dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  share_cores(n_processes_here(communicator));
+
+  CommandLine command_line;
+  if (const auto status = read(argc, argv, speaks, command_line))
+    return *status;
+  if (command_line.verbose && speaks)
+    std::cout << describe_blas() << std::endl;
 
   try
     {

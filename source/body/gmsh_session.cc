@@ -1,3 +1,4 @@
+#include <setsudan/body/crash_sentence.h>
 #include <setsudan/body/gmsh_session.h>
 
 #include <gmsh.h>
@@ -46,12 +47,17 @@ struct Log
   }
 };
 
-/** Run `action`; @throw std::runtime_error that gmsh cannot do `what`, where
- * gmsh throws or logs errors. */
+/** Run `action`; @throw std::runtime_error that gmsh cannot do `what` with the
+ * file, where gmsh throws or logs errors. Where gmsh crashes, that is said. */
 template <typename Action>
 void
-guard(const std::string &what, const Action &action)
+guard(const std::string &what,
+      const std::string &file_name,
+      const Action &action)
 {
+  const CrashSentence crash("gmsh crashes when asked to " + what + " " +
+                            file_name +
+                            ": a number or a list in it may be too large.");
   const Log log;
   std::string errors;
   try
@@ -96,7 +102,7 @@ GmshSession::~GmshSession()
 void
 GmshSession::open_mesh(const std::string &file_name)
 {
-  guard("read the file", [&]() { gmsh::open(file_name); });
+  guard("read the file", file_name, [&]() { gmsh::open(file_name); });
 }
 
 
@@ -106,12 +112,14 @@ GmshSession::open_geometry(const std::string &file_name, const unsigned int dim)
 {
   // The message that names the line is often not the first.
   gmsh::option::setNumber(on_error, go_on);
-  guard("read the file", [&]() { gmsh::open(file_name); });
+  guard("read the file", file_name, [&]() { gmsh::open(file_name); });
   // gmsh meshes in threads, out of which nothing can be thrown, and the file
   // may have changed the option.
   gmsh::option::setNumber(on_error, go_on);
   if (!has_elements(dim))
-    guard("mesh the geometry", [&]() { gmsh::model::mesh::generate(dim); });
+    guard("mesh the geometry", file_name, [&]() {
+      gmsh::model::mesh::generate(dim);
+    });
   gmsh::option::setNumber(on_error, stop);
 }
 } // namespace Setsudan

@@ -1,3 +1,4 @@
+#include <setsudan/kernel/instruction_set.h>
 #include <setsudan/kernel/stiffness_kernel.h>
 
 namespace Setsudan
@@ -29,10 +30,9 @@ const StiffnessKernel<dim> &
 stiffness_kernel()
 {
 #ifdef SETSUDAN_X86_KERNELS
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl"))
+  if (instruction_set() == InstructionSet::avx512)
     return avx512::kernel<dim>();
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  if (instruction_set() == InstructionSet::avx2)
     return avx2::kernel<dim>();
 #endif
   return baseline::kernel<dim>();

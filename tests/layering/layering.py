@@ -22,7 +22,7 @@ ROOMS = [
 ]
 
 # What source/main.cc may include, which belongs to no room.
-ROOMS_OF_MAIN = ["parameters", "simulation"]
+ROOMS_OF_MAIN = ["parameters", "kernel", "simulation"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 

@@ -29,7 +29,8 @@ CASES = [
     case(2, ["scene.prm", "--set"], "--set"),
     case(2, ["scene.prm", "--output"], "--output"),
     case(2, ["--validate"], "SCENE"),
-    case(0, ["--help"], "SCENE", "--set", "--output", "--resume", "--validate", "--version"),
+    case(0, ["--help"], "SCENE", "--set", "--output", "--resume", "--validate", "--verbose",
+         "--version"),
     case(0, ["--version"], "setsudan "),
     case(0, ["scene.prm", "--validate"], "scene.prm is a valid scene"),
     case(0, ["plane.prm", "--validate"], "plane.prm is a valid scene"),
@@ -38,6 +39,7 @@ CASES = [
     # A direction that is not quite along the cut is projected.
     case(0, ["scene.prm", "--validate", "--set", "Blade/Direction=0,0.9,-1"], "valid"),
     case(0, ["scene.prm", "--validate", "--set", "Blade/Direction=0,1,-1"], "valid"),
+    case(0, ["scene.prm", "--validate", "--verbose"], "Linear algebra: ", "valid"),
     case(0, ["--print-parameters"], "subsection Material", "set Young's modulus"),
     case(0, ["plane.prm", "--print-parameters"], "set Size         = 10, 10\n"),
     case(0, ["--print-parameters", "--set", "Body/Size=7,8,9"], "= 7,8,9"),

@@ -7,6 +7,7 @@ import concurrent.futures
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import tempfile
 from typing import Dict, NamedTuple, Sequence
@@ -43,6 +44,8 @@ class Case(NamedTuple):
     status: int
     # What standard error (of a failure) or standard output must contain.
     pieces: Sequence[str]
+    # The most memory that the program may have, in bytes.
+    memory: int = resource.RLIM_INFINITY
 
 
 def scene_text(values):
@@ -108,6 +111,8 @@ def run(program, case):
             stderr=subprocess.PIPE,
             universal_newlines=True,
             timeout=60,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS,
+                                                  (case.memory, case.memory)),
         )
         written = [f for f in files_below(directory) if f not in before]
     problems = []

@@ -7,7 +7,7 @@ program says it in one sentence and writes nothing.
 
 import sys
 
-from program_cases import SCENE, run_cases, wrong_value
+from program_cases import SCENE, Case, run_cases, scene_text, wrong_value
 
 # A block of 4 x 4 x 2 hexahedra with its groups.
 GEOMETRY = """
@@ -80,6 +80,13 @@ def wrong_file(name, text, allowed):
     return case._replace(files={**case.files, name: text})
 
 
+def crash(name, text):
+    """A file on which gmsh crashes, with little memory."""
+    scene = scene_text({**FILE_SCENE, "Body/File": name})[0]
+    return Case(name, ["scene.prm"], {"scene.prm": scene, name: text}, 1,
+                ["gmsh crashes when asked to read the file " + name], 4 << 30)
+
+
 def wrong_on_block(path, value, allowed, geometry=GEOMETRY):
     """A value that does not go with the block."""
     case = wrong_value(path, value, allowed, FILE_SCENE)
@@ -102,6 +109,7 @@ CASES = [
     wrong_file("tetrahedra.geo", GEOMETRY.replace("Recombine;", ""), ""),
     wrong_file("body.txt", GEOMETRY, ""),
     wrong_file("open_loop.geo", OPEN_LOOP, "gmsh cannot mesh the geometry"),
+    crash("long_list.geo", GEOMETRY + "Transfinite Curve{9:1e9} = 3;\n"),
     wrong_on_block("Support/Fixed faces", "floor",
                    "the groups ground, lid, block, and 'floor' is none of them"),
     wrong_on_block("Material/Young's modulus", "5; ground: 2", "'ground' is none"),

@@ -1,0 +1,106 @@
+#include <setsudan/kernel/blas.h>
+#include <setsudan/kernel/stiffness_kernel.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <thread>
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+namespace Setsudan
+{
+namespace
+{
+const char *const core_variable = "OPENBLAS_CORETYPE";
+
+/** A function of OpenBLAS; nothing where the BLAS is another one. */
+template <typename Function>
+Function *
+openblas(const char *const name)
+{
+  return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
+}
+
+int
+n_blas_threads()
+{
+  const auto n_threads = openblas<int()>("openblas_get_num_threads");
+  return n_threads != nullptr ? n_threads() : 1;
+}
+} // namespace
+
+
+std::string
+blas_core()
+{
+  const auto name = openblas<char *()>("openblas_get_corename");
+  return name != nullptr ? name() : "";
+}
+
+
+
+std::string
+better_blas_core(const std::string &core, const InstructionSet processor)
+{
+  // All others are of processors without vectors of four numbers.
+  static const std::map<std::string, InstructionSet> known = {
+    {"Haswell", InstructionSet::avx2},
+    {"Excavator", InstructionSet::avx2},
+    {"Zen", InstructionSet::avx2},
+    {"SkylakeX", InstructionSet::avx512},
+    {"Cooperlake", InstructionSet::avx512},
+    {"Sapphirerapids", InstructionSet::avx512}};
+  const auto found = known.find(core);
+  const InstructionSet used =
+    found == known.end() ? InstructionSet::baseline : found->second;
+  if (core.empty() || used >= processor)
+    return "";
+  return processor == InstructionSet::avx512 ? "SkylakeX" : "Haswell";
+}
+
+
+
+void
+start_with_fitting_blas(char **argv)
+{
+  const std::string better = better_blas_core(blas_core(), instruction_set());
+  if (better.empty() || std::getenv(core_variable) != nullptr)
+    return;
+  setenv(core_variable, better.c_str(), 0);
+  // Busy waiting makes solves many times slower on a shared core.
+  setenv("OMP_WAIT_POLICY", "passive", 0);
+  // Where that is not possible the program goes on, only slower.
+  execv("/proc/self/exe", argv);
+}
+
+
+
+void
+share_cores(const unsigned int n_processes_here)
+{
+  const auto set_n_threads = openblas<void(int)>("openblas_set_num_threads");
+  if (set_n_threads == nullptr || n_processes_here <= 1 ||
+      std::getenv("OPENBLAS_NUM_THREADS") != nullptr ||
+      std::getenv("OMP_NUM_THREADS") != nullptr)
+    return;
+  const unsigned int n_cores = std::thread::hardware_concurrency();
+  set_n_threads(std::max(1U, n_cores / n_processes_here));
+}
+
+
+
+std::string
+describe_blas()
+{
+  const std::string core = blas_core();
+  const int n_threads    = n_blas_threads();
+  const std::string blas = core.empty() ? "a BLAS that is not OpenBLAS"
+                                        : "OpenBLAS with kernels for " + core;
+  return "Linear algebra: " + blas + ", " + std::to_string(n_threads) +
+         (n_threads == 1 ? " thread" : " threads") +
+         "; elements: kernels for " + stiffness_kernel<3>().name + ".";
+}
+} // namespace Setsudan
