@@ -126,6 +126,7 @@ CellBatches<dim>::set_partitioner(const IndexSet &ghosts)
 {
   known = std::make_shared<const Partitioner>(
     discretization.owned, ghosts, discretization.communicator);
+  node_positions.reset();
   nodes.resize(size() * n_nodes() * kernel.n_lanes);
   for (unsigned int batch = 0, first = 0; batch < size(); ++batch)
     {
@@ -192,6 +193,23 @@ CellBatches<dim>::exported(const Vector &vector) const
             vector.begin() + vector.locally_owned_size(),
             copy.trilinos_vector()[0]);
   return copy;
+}
+
+
+
+template <int dim>
+const typename CellBatches<dim>::Vector &
+CellBatches<dim>::positions()
+{
+  if (!node_positions)
+    {
+      node_positions = std::make_unique<Vector>(known);
+      double *value  = node_positions->begin();
+      for (const auto &site : discretization.sites())
+        *value++ = site.position[site.component];
+      node_positions->update_ghost_values();
+    }
+  return *node_positions;
 }
 
 

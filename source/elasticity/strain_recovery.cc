@@ -1,11 +1,6 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <setsudan/elasticity/strain_recovery.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace Setsudan
 {
@@ -130,66 +125,6 @@ StrainRecovery<dim>::stress(const unsigned int point) const
 
 
 
-namespace
-{
-/** Lower `min_jacobian` to the smallest determinant on the cell. */
-template <int dim>
-void
-find_min_jacobian(const StrainRecovery<dim> &recovery, double &min_jacobian)
-{
-  for (unsigned int p = 0; p < recovery.n_points(); ++p)
-    min_jacobian = std::min(
-      min_jacobian,
-      determinant(unit_symmetric_tensor<dim>() + recovery.gradient(p)));
-}
-} // namespace
-
-
-template <int dim>
-DeformationExtremes
-find_extremes(const Discretization<dim> &discretization,
-              const MaterialParameters<dim> &materials,
-              const LA::Vector &displacement)
-{
-  StrainRecovery<dim> at_nodes(
-    discretization, materials, node_points(discretization));
-  StrainRecovery<dim> at_gauss_points(
-    discretization, materials, gauss_points(discretization));
-  DeformationExtremes extremes{std::numeric_limits<double>::max(), 0, 0, 0};
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        at_nodes.reinit(cell, displacement);
-        at_gauss_points.reinit(cell, displacement);
-        find_min_jacobian(at_nodes, extremes.min_jacobian);
-        find_min_jacobian(at_gauss_points, extremes.min_jacobian);
-        for (unsigned int p = 0; p < at_gauss_points.n_points(); ++p)
-          {
-            for (const double principal :
-                 eigenvalues(at_gauss_points.strain(p)))
-              extremes.max_strain =
-                std::max(extremes.max_strain, std::abs(principal));
-            extremes.max_shear = std::max(
-              extremes.max_shear, maximum_shear(at_gauss_points.stress(p)));
-          }
-        for (const auto &node : discretization.node_indices(cell))
-          {
-            Tensor<1, dim> u;
-            for (unsigned int c = 0; c < dim; ++c)
-              u[c] = displacement(node[c]);
-            extremes.max_displacement =
-              std::max(extremes.max_displacement, u.norm());
-          }
-      }
-  const MPI_Comm communicator = discretization.communicator;
-  return {Utilities::MPI::min(extremes.min_jacobian, communicator),
-          Utilities::MPI::max(extremes.max_strain, communicator),
-          Utilities::MPI::max(extremes.max_shear, communicator),
-          Utilities::MPI::max(extremes.max_displacement, communicator)};
-}
-
-
-
 template Quadrature<2>
 node_points(const Discretization<2> &);
 template Quadrature<3>
@@ -200,12 +135,4 @@ template Quadrature<3>
 gauss_points(const Discretization<3> &);
 template class StrainRecovery<2>;
 template class StrainRecovery<3>;
-template DeformationExtremes
-find_extremes(const Discretization<2> &,
-              const MaterialParameters<2> &,
-              const LA::Vector &);
-template DeformationExtremes
-find_extremes(const Discretization<3> &,
-              const MaterialParameters<3> &,
-              const LA::Vector &);
 } // namespace Setsudan

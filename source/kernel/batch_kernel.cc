@@ -2,6 +2,7 @@
 // SETSUDAN_LANES the numbers that its vector registers hold. It must not
 // include what has inline functions with a name outside this file: the linker
 // would take those of one kind for all.
+#include <setsudan/kernel/displacement_gradients.h>
 #include <setsudan/kernel/quadratic_grid.h>
 #include <setsudan/kernel/stiffness_kernel.h>
 
@@ -156,6 +157,22 @@ read(const CellBatch &batch,
 
 
 
+/** A field on the grid of a cell's nodes. */
+template <int dim, bool serendipity>
+inline void
+read_on_grid(const CellBatch &batch,
+             const double *const vector,
+             Field<dim> &field)
+{
+  read<dim>(
+    batch, serendipity ? n_serendipity<dim> : n_points<dim>, vector, field);
+  if constexpr (serendipity)
+    for (int c = 0; c < dim; ++c)
+      expand<dim>(field[c]);
+}
+
+
+
 template <int dim>
 inline void
 add(const CellBatch &batch,
@@ -182,13 +199,9 @@ apply(const CellBatch &batch,
 {
   constexpr int n_nodes = serendipity ? n_serendipity<dim> : n_points<dim>;
   Field<dim> u, f;
-  read<dim>(batch, n_nodes, displacement, u);
+  read_on_grid<dim, serendipity>(batch, displacement, u);
   for (int c = 0; c < dim; ++c)
-    {
-      if constexpr (serendipity)
-        expand<dim>(u[c]);
-      to_points<dim>(u[c]);
-    }
+    to_points<dim>(u[c]);
   if (batch.pressures != nullptr)
     batch.is_uniform ? resist<dim, true, true>(batch, u, f)
                      : resist<dim, false, true>(batch, u, f);
@@ -202,6 +215,29 @@ apply(const CellBatch &batch,
         contract<dim>(f[c]);
     }
   add<dim>(batch, n_nodes, f, forces);
+}
+
+
+
+template <int dim, bool serendipity>
+void
+displacement_gradients(const CellBatch &batch,
+                       const double *const positions,
+                       const double *const displacement,
+                       double *const gradients)
+{
+  using Gradient = Lanes[dim][dim];
+  auto *const at = reinterpret_cast<Gradient *>(gradients);
+  Field<dim> x, u;
+  read_on_grid<dim, serendipity>(batch, positions, x);
+  read_on_grid<dim, serendipity>(batch, displacement, u);
+  gradients_on_grid<dim>(x, u, at);
+  for (int c = 0; c < dim; ++c)
+    {
+      to_points<dim>(x[c]);
+      to_points<dim>(u[c]);
+    }
+  gradients_on_grid<dim>(x, u, at + n_points<dim>);
 }
 
 
@@ -324,6 +360,8 @@ kernel()
                                            n_lanes,
                                            apply<dim, true>,
                                            apply<dim, false>,
+                                           displacement_gradients<dim, true>,
+                                           displacement_gradients<dim, false>,
                                            integrate<dim>};
   return kernel;
 }

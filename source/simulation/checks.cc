@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/elasticity/balance.h>
-#include <setsudan/elasticity/strain_recovery.h>
+#include <setsudan/elasticity/deformation_extremes.h>
 #include <setsudan/simulation/checks.h>
 
 #include <algorithm>
@@ -43,8 +43,6 @@ describe_state(const Scene<dim> &scene,
                const State<dim> &state,
                Event &event)
 {
-  const auto &discretization = body.model->discretization;
-
   event.load_factor    = state.load_factor;
   event.blade_force    = 0;
   event.cutting_stress = state.stress.reached;
@@ -56,10 +54,7 @@ describe_state(const Scene<dim> &scene,
     event.strain_energy - state.forces * state.displacement;
   event.pieces = body.n_pieces();
 
-  const auto extremes =
-    find_extremes(discretization,
-                  body.model->materials,
-                  discretization.with_ghosts(state.displacement));
+  const auto extremes    = find_extremes(*body.model, state.displacement);
   event.min_jacobian     = extremes.min_jacobian;
   event.max_strain       = extremes.max_strain;
   event.max_shear        = extremes.max_shear;

@@ -1,78 +1,38 @@
 #include <setsudan/solver/cholesky_factor.h>
+#include <setsudan/solver/elimination_order.h>
 #include <setsudan/solver/linear_solver.h>
 
-#include <Epetra_CrsMatrix.h>
-#include <cholmod.h>
-
 #include <algorithm>
-#include <numeric>
+
+// For one right-hand side; Teuchos has the first for several only.
+extern "C"
+{
+  void
+  dtrsv_(const char *uplo,
+         const char *transposed,
+         const char *unit_diagonal,
+         const int *n,
+         const double *a,
+         const int *lda,
+         double *x,
+         const int *stride);
+
+  void
+  dgemv_(const char *transposed,
+         const int *m,
+         const int *n,
+         const double *alpha,
+         const double *a,
+         const int *lda,
+         const double *x,
+         const int *stride_of_x,
+         const double *beta,
+         double *y,
+         const int *stride_of_y);
+}
 
 namespace Setsudan
 {
-namespace
-{
-/** The rows of a matrix that one process has. */
-struct RowView
-{
-  int n_entries;
-  double *values;
-  int *columns;
-
-  RowView(const LA::SparseMatrix &matrix, const int row)
-  {
-    matrix.trilinos_matrix().ExtractMyRowView(row, n_entries, values, columns);
-  }
-};
-
-
-/**
- * The lower triangle of a matrix in another order, in CHOLMOD's format.
- *
- * @param place where each unknown comes; those that are not wanted come
- *   nowhere, at -1.
- */
-cholmod_sparse *
-lower_triangle(const LA::SparseMatrix &matrix,
-               const std::vector<int> &place,
-               const unsigned int n,
-               cholmod_common &common)
-{
-  const auto for_each_entry = [&](const auto &visit) {
-    for (unsigned int row = 0; row < place.size(); ++row)
-      if (place[row] >= 0)
-        {
-          const RowView view(matrix, row);
-          for (int e = 0; e < view.n_entries; ++e)
-            {
-              const int other = place[view.columns[e]];
-              // The matrix is symmetric: each entry below is met once.
-              if (other >= place[row] && view.values[e] != 0)
-                visit(place[row], other, view.values[e]);
-            }
-        }
-  };
-  std::vector<int> starts(n + 1, 0);
-  for_each_entry([&](const int column, int, double) { ++starts[column + 1]; });
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-
-  cholmod_sparse *lower = cholmod_allocate_sparse(
-    n, n, starts[n], false, true, -1, CHOLMOD_REAL, &common);
-  if (lower == nullptr)
-    throw SolverError("There is no memory for the matrix's factorization.");
-  auto *const columns = static_cast<int *>(lower->p);
-  auto *const rows    = static_cast<int *>(lower->i);
-  auto *const values  = static_cast<double *>(lower->x);
-  std::copy(starts.begin(), starts.end(), columns);
-  for_each_entry([&](const int column, const int row, const double value) {
-    rows[starts[column]]   = row;
-    values[starts[column]] = value;
-    ++starts[column];
-  });
-  return lower;
-}
-} // namespace
-
-
 /** CHOLMOD's objects, which are its own to free. */
 struct CholeskyFactor::Workspace
 {
@@ -85,81 +45,13 @@ struct CholeskyFactor::Workspace
   ~Workspace()
   {
     cholmod_free_factor(&factor, &common);
-    cholmod_free_dense(&result, &common);
-    cholmod_free_dense(&scratch, &common);
-    cholmod_free_dense(&scratch_2, &common);
     cholmod_finish(&common);
   }
 
-  std::vector<double>
-  solve(const int system, const std::vector<double> &b)
-  {
-    cholmod_dense right{};
-    right.nrow  = b.size();
-    right.ncol  = 1;
-    right.nzmax = b.size();
-    right.d     = b.size();
-    right.x     = const_cast<double *>(b.data());
-    right.xtype = CHOLMOD_REAL;
-    right.dtype = CHOLMOD_DOUBLE;
-    if (!cholmod_solve2(system,
-                        factor,
-                        &right,
-                        nullptr,
-                        &result,
-                        nullptr,
-                        &scratch,
-                        &scratch_2,
-                        &common))
-      throw SolverError("The direct solver's solve failed: memory ran out.");
-    const auto *const x = static_cast<const double *>(result->x);
-    return {x, x + b.size()};
-  }
-
   cholmod_common common;
-  cholmod_factor *factor   = nullptr;
-  cholmod_dense *result    = nullptr;
-  cholmod_dense *scratch   = nullptr;
-  cholmod_dense *scratch_2 = nullptr;
+  cholmod_factor *factor = nullptr;
 };
 
-
-
-namespace
-{
-/** The unknowns in the order of elimination. */
-std::vector<int>
-order_of_elimination(const LA::SparseMatrix &matrix,
-                     const std::vector<unsigned int> &last,
-                     cholmod_common &common)
-{
-  std::vector<int> place(matrix.m(), 0);
-  for (const unsigned int unknown : last)
-    place[unknown] = -1;
-  std::vector<int> interior;
-  for (unsigned int unknown = 0; unknown < place.size(); ++unknown)
-    if (place[unknown] == 0)
-      {
-        place[unknown] = interior.size();
-        interior.push_back(unknown);
-      }
-  std::vector<int> order(interior.size());
-  if (!interior.empty())
-    {
-      cholmod_sparse *graph =
-        lower_triangle(matrix, place, interior.size(), common);
-      const bool found =
-        cholmod_metis(graph, nullptr, 0, true, order.data(), &common);
-      cholmod_free_sparse(&graph, &common);
-      if (!found)
-        throw SolverError("METIS found no order of elimination.");
-    }
-  for (int &unknown : order)
-    unknown = interior[unknown];
-  order.insert(order.end(), last.begin(), last.end());
-  return order;
-}
-} // namespace
 
 
 CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
@@ -237,18 +129,118 @@ CholeskyFactor::from_order(const std::vector<double> &ordered,
 
 
 
-std::vector<double>
-CholeskyFactor::solve_lower(const std::vector<double> &b) const
+namespace
 {
-  return workspace->solve(CHOLMOD_L, b);
+/** Columns of a factor that have entries in the same rows. */
+struct Supernode
+{
+  Supernode(const cholmod_factor &factor, const unsigned int number)
+  {
+    const auto column    = static_cast<const int *>(factor.super) + number;
+    const auto row_start = static_cast<const int *>(factor.pi) + number;
+    first                = column[0];
+    n_columns            = column[1] - column[0];
+    n_rows               = row_start[1] - row_start[0];
+    rows                 = static_cast<const int *>(factor.s) + row_start[0];
+    values               = static_cast<const double *>(factor.x) +
+             static_cast<const int *>(factor.px)[number];
+  }
+
+  int first, n_columns, n_rows;
+  /** In ascending order, from the diagonal on. */
+  const int *rows;
+  /** By columns of length n_rows. */
+  const double *values;
+};
+
+
+
+/** One step of solving L y = b or L^T x = y.
+ *
+ * @param n_columns from the first one of the supernode on.
+ * @param below     room for what lies below. */
+void
+solve_lower(const Supernode &node,
+            const int n_columns,
+            std::vector<double> &x,
+            std::vector<double> &below)
+{
+  const int n_below = node.n_rows - n_columns, one = 1;
+  const double unity = 1, zero = 0;
+  dtrsv_(
+    "L", "N", "N", &n_columns, node.values, &node.n_rows, &x[node.first], &one);
+  dgemv_("N",
+         &n_below,
+         &n_columns,
+         &unity,
+         node.values + n_columns,
+         &node.n_rows,
+         &x[node.first],
+         &one,
+         &zero,
+         below.data(),
+         &one);
+  for (int i = 0; i < n_below; ++i)
+    x[node.rows[n_columns + i]] -= below[i];
 }
 
 
 
-std::vector<double>
-CholeskyFactor::solve_upper(const std::vector<double> &y) const
+void
+solve_upper(const Supernode &node,
+            const int n_columns,
+            std::vector<double> &x,
+            std::vector<double> &below)
 {
-  return workspace->solve(CHOLMOD_Lt, y);
+  const int n_below = node.n_rows - n_columns, one = 1;
+  const double unity = 1, minus = -1;
+  for (int i = 0; i < n_below; ++i)
+    below[i] = x[node.rows[n_columns + i]];
+  dgemv_("T",
+         &n_below,
+         &n_columns,
+         &minus,
+         node.values + n_columns,
+         &node.n_rows,
+         below.data(),
+         &one,
+         &unity,
+         &x[node.first],
+         &one);
+  dtrsv_(
+    "L", "T", "N", &n_columns, node.values, &node.n_rows, &x[node.first], &one);
+}
+} // namespace
+
+
+void
+CholeskyFactor::eliminate(std::vector<double> &x) const
+{
+  const cholmod_factor &factor = *workspace->factor;
+  const int end                = order.size() - n_at_end;
+  std::vector<double> below(order.size());
+  for (unsigned int s = 0; s < factor.nsuper; ++s)
+    {
+      const Supernode node(factor, s);
+      if (node.first < end)
+        solve_lower(node, std::min(node.n_columns, end - node.first), x, below);
+    }
+}
+
+
+
+void
+CholeskyFactor::recover(std::vector<double> &x) const
+{
+  const cholmod_factor &factor = *workspace->factor;
+  const int end                = order.size() - n_at_end;
+  std::vector<double> below(order.size());
+  for (unsigned int s = factor.nsuper; s-- > 0;)
+    {
+      const Supernode node(factor, s);
+      if (node.first < end)
+        solve_upper(node, std::min(node.n_columns, end - node.first), x, below);
+    }
 }
 
 
@@ -257,22 +249,15 @@ std::vector<double>
 CholeskyFactor::last_block() const
 {
   const cholmod_factor &factor = *workspace->factor;
-  const auto *const supers     = static_cast<const int *>(factor.super);
-  const auto *const row_starts = static_cast<const int *>(factor.pi);
-  const auto *const starts     = static_cast<const int *>(factor.px);
-  const auto *const rows       = static_cast<const int *>(factor.s);
-  const auto *const values     = static_cast<const double *>(factor.x);
-  const int first              = order.size() - n_at_end;
+  const int end                = order.size() - n_at_end;
   std::vector<double> block(std::size_t(n_at_end) * n_at_end, 0.);
   for (unsigned int s = 0; s < factor.nsuper; ++s)
     {
-      const int n_rows = row_starts[s + 1] - row_starts[s];
-      for (int column = std::max(supers[s], first); column < supers[s + 1];
-           ++column)
-        for (int r = column - supers[s]; r < n_rows; ++r)
-          block[std::size_t(column - first) * n_at_end +
-                rows[row_starts[s] + r] - first] =
-            values[starts[s] + std::size_t(column - supers[s]) * n_rows + r];
+      const Supernode node(factor, s);
+      for (int c = std::max(0, end - node.first); c < node.n_columns; ++c)
+        for (int r = c; r < node.n_rows; ++r)
+          block[std::size_t(node.first + c - end) * n_at_end + node.rows[r] -
+                end] = node.values[std::size_t(c) * node.n_rows + r];
     }
   return block;
 }

@@ -16,8 +16,10 @@ CholeskySolver::initialize(const LA::SparseMatrix &matrix,
 void
 CholeskySolver::solve(LA::Vector &x, const LA::Vector &b)
 {
-  factor->from_order(
-    factor->solve_upper(factor->solve_lower(factor->in_order(b))), x);
+  std::vector<double> ordered = factor->in_order(b);
+  factor->eliminate(ordered);
+  factor->recover(ordered);
+  factor->from_order(ordered, x);
 }
 
 

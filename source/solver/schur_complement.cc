@@ -19,7 +19,7 @@ SchurComplement::SchurComplement(const CholeskyFactor &factor,
 {
   find_blocks(factor.last_block(), factor.n_last());
   for (auto &block : blocks)
-    multiply(block, shift);
+    square(block, shift);
 }
 
 
@@ -61,10 +61,10 @@ SchurComplement::find_blocks(const std::vector<double> &last,
     {
       const auto &members = block.members;
       const std::size_t m = members.size();
-      block.lower.assign(m * m, 0.);
+      block.complement.assign(m * m, 0.);
       for (unsigned int j = 0; j < m; ++j)
         for (unsigned int i = j; i < m; ++i)
-          block.lower[j * m + i] =
+          block.complement[j * m + i] =
             last[std::size_t(members[j]) * n + members[i]];
     }
 }
@@ -72,14 +72,14 @@ SchurComplement::find_blocks(const std::vector<double> &last,
 
 
 void
-SchurComplement::multiply(Block &block, const double shift) const
+SchurComplement::square(Block &block, const double shift) const
 {
+  const int m = block.members.size();
+  auto &s     = block.complement;
   // From behind, L is an upper triangle.
-  const int m      = block.members.size();
-  block.complement = {block.lower.rbegin(), block.lower.rend()};
-  int info         = 0;
-  dlauum_("U", &m, block.complement.data(), &m, &info);
-  auto &s = block.complement;
+  std::reverse(s.begin(), s.end());
+  int info = 0;
+  dlauum_("U", &m, s.data(), &m, &info);
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < i; ++j)
       s[std::size_t(j) * m + i] = s[std::size_t(i) * m + j];
@@ -103,46 +103,32 @@ SchurComplement::operator()(const unsigned int i, const unsigned int j) const
 
 
 
-void
-SchurComplement::multiply(double *x, const bool transposed) const
+std::vector<double>
+SchurComplement::multiply(const std::vector<double> &x) const
 {
   const Teuchos::BLAS<int, double> blas;
-  std::vector<double> part;
+  std::vector<double> product(x.size()), of_x, of_product;
   for (const auto &block : blocks)
     {
       const int m = block.members.size();
-      part.clear();
-      for (const unsigned int member : block.members)
-        part.push_back(x[member]);
-      blas.TRMM(Teuchos::LEFT_SIDE,
-                Teuchos::LOWER_TRI,
-                transposed ? Teuchos::TRANS : Teuchos::NO_TRANS,
-                Teuchos::NON_UNIT_DIAG,
-                m,
-                1,
-                1.,
-                block.lower.data(),
-                m,
-                part.data(),
-                m);
+      of_x.resize(m);
+      of_product.resize(m);
       for (int i = 0; i < m; ++i)
-        x[block.members[i]] = part[i];
+        of_x[i] = x[block.members[i]];
+      blas.GEMV(Teuchos::NO_TRANS,
+                m,
+                m,
+                1.,
+                block.complement.data(),
+                m,
+                of_x.data(),
+                1,
+                0.,
+                of_product.data(),
+                1);
+      for (int i = 0; i < m; ++i)
+        product[block.members[i]] = of_product[i];
     }
-}
-
-
-
-void
-SchurComplement::multiply_lower(double *x) const
-{
-  multiply(x, false);
-}
-
-
-
-void
-SchurComplement::multiply_upper(double *x) const
-{
-  multiply(x, true);
+  return product;
 }
 } // namespace Setsudan

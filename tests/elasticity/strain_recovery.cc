@@ -1,6 +1,7 @@
 // Displacement gradients: those of a linear displacement are exact on distorted
 // and on curved elements; and the extremes of deformed states.
 
+#include <setsudan/elasticity/deformation_extremes.h>
 #include <setsudan/elasticity/strain_recovery.h>
 
 #include <deal.II/base/mpi.h>

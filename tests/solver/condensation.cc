@@ -32,9 +32,11 @@ assemble(SolvedModel<3> &solved)
 LA::Vector
 solve(const CholeskyFactor &factor, const LA::Vector &b)
 {
-  LA::Vector x = b;
-  factor.from_order(factor.solve_upper(factor.solve_lower(factor.in_order(b))),
-                    x);
+  LA::Vector x                = b;
+  std::vector<double> ordered = factor.in_order(b);
+  factor.eliminate(ordered);
+  factor.recover(ordered);
+  factor.from_order(ordered, x);
   return x;
 }
 

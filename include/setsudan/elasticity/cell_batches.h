@@ -56,6 +56,10 @@ public:
   LA::Vector
   exported(const Vector &vector) const;
 
+  /** The positions of the nodes, with ghosts, made when first asked for. */
+  const Vector &
+  positions();
+
   unsigned int
   size() const;
 
@@ -107,6 +111,7 @@ private:
   std::vector<Cell> all_cells;
   Numbers moduli;
   dealii::AlignedVector<unsigned int> nodes;
+  std::unique_ptr<Vector> node_positions;
 };
 
 /**

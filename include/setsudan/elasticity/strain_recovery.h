@@ -78,25 +78,4 @@ private:
   std::unique_ptr<Dilatation<dim>> dilatation;
   LinearFunction<dim> dilatation_of_cell;
 };
-
-/** The extremes of a deformed state. */
-struct DeformationExtremes
-{
-  /** Smallest determinant of the deformation gradient, 1 at rest: not positive
-   * where the deformed body overlaps itself. At nodes and Gauss points. */
-  double min_jacobian;
-  /** Largest principal strain in magnitude, at Gauss points. */
-  double max_strain;
-  /** Largest maximum shear stress, at Gauss points. */
-  double max_shear;
-  /** Largest displacement of a node. */
-  double max_displacement;
-};
-
-/** @param displacement with ghosts. */
-template <int dim>
-DeformationExtremes
-find_extremes(const Discretization<dim> &discretization,
-              const MaterialParameters<dim> &materials,
-              const LA::Vector &displacement);
 } // namespace Setsudan

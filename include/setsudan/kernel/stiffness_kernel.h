@@ -68,6 +68,24 @@ struct StiffnessKernel
                           double *forces);
 
   /**
+   * The displacement's gradient, first at a grid of 3^dim points that has the
+   * nodes in it, then at Gauss's points, both with x fastest.
+   *
+   * @param positions of the nodes, like the displacement.
+   * @param gradients [point][component][direction][lane].
+   */
+  void (*serendipity_gradients)(const CellBatch &batch,
+                                const double *positions,
+                                const double *displacement,
+                                double *gradients);
+
+  /** The same for full quadratic elements. */
+  void (*quadratic_gradients)(const CellBatch &batch,
+                              const double *positions,
+                              const double *displacement,
+                              double *gradients);
+
+  /**
    * The stiffness that functions have.
    *
    * @param gradients of the functions in reference coordinates:

@@ -42,13 +42,15 @@ public:
   void
   from_order(const std::vector<double> &ordered, LA::Vector &vector) const;
 
-  /** Solve L y = b, in the order of elimination. */
-  std::vector<double>
-  solve_lower(const std::vector<double> &b) const;
+  /** Eliminate all but the last unknowns: of a right-hand side b in the order
+   * of elimination make L^-1 b, and at its end what is left for the last. */
+  void
+  eliminate(std::vector<double> &x) const;
 
-  /** Solve L^T x = y. */
-  std::vector<double>
-  solve_upper(const std::vector<double> &y) const;
+  /** Of what eliminate() has made, with the last unknowns' values put at its
+   * end, make the values of all. */
+  void
+  recover(std::vector<double> &x) const;
 
   /** L of the last unknowns, n_last x n_last by columns, 0 above the
    * diagonal. */

@@ -83,9 +83,34 @@ private:
   void
   append(const std::vector<Column> &columns);
 
-  /** The displacement that forces give, both obeying the constraints. */
+  /** CholeskyFactor::eliminate(), or what it made of the last loads that are
+   * remembered, where they are the same but for those on the cut. */
+  void
+  eliminate(std::vector<double> &ordered, const bool is_remembered);
+
+  /** The displacement that forces give, both obeying `base`, and the
+   * displacement but for the `opening` the step.
+   *
+   * @param opening what the cut's unknowns have besides; nothing if it is zero.
+   */
   LA::Vector
-  solve_for(const LA::Vector &b) const;
+  solve_for(const LA::Vector &b,
+            const std::vector<double> &opening,
+            const bool is_remembered);
+
+  /** What a displacement has on the cut, nothing if it is zero; the rest of it
+   * is left over. */
+  std::vector<double>
+  take_opening(LA::Vector &prescribed) const;
+
+  /** Set the quality of a solution.
+   *
+   * @throw SolverError where it is not good enough. */
+  void
+  judge(const LA::Vector &x,
+        const LA::Vector &rest,
+        const double scale,
+        const Mending &mending);
 
   [[noreturn]] void
   fail() const;
@@ -103,6 +128,10 @@ private:
   /** The unknown of each column of Q. */
   std::vector<unsigned int> free_unknowns;
   std::vector<Column> basis;
+  std::vector<double> remembered_loads, remembered;
   SolveQuality quality;
+  /** The displacement for a residual of 1, and the largest displacement for
+   * loads of size 1, when the quality was last looked at closely. */
+  double per_residual = 0, known_compliance = 0;
 };
 } // namespace Setsudan

@@ -20,31 +20,24 @@ public:
   double
   operator()(const unsigned int i, const unsigned int j) const;
 
-  /** L x and L^T x of the last block, in place. */
-  void
-  multiply_lower(double *x) const;
-  void
-  multiply_upper(double *x) const;
+  /** S x. */
+  std::vector<double>
+  multiply(const std::vector<double> &x) const;
 
 private:
   struct Block
   {
     std::vector<unsigned int> members;
-    /** By columns; 0 above the diagonal. */
-    std::vector<double> lower;
+    /** By columns; all of it. */
     std::vector<double> complement;
   };
 
   void
   find_blocks(const std::vector<double> &last, const unsigned int n);
 
-  /** Fill S of a block from its L. */
+  /** From L to S of a block. */
   void
-  multiply(Block &block, const double shift) const;
-
-  /** Apply L or its transpose of each block. */
-  void
-  multiply(double *x, const bool transposed) const;
+  square(Block &block, const double shift) const;
 
   std::vector<Block> blocks;
   /** Where each unknown is. */
