@@ -2,8 +2,11 @@
 // on its top: one_solve METHOD N [distorted] [ASSIGNMENT...]. METHOD is
 // multigrid (over the order of the functions, without a matrix), algebraic
 // (multigrid of the assembled matrix) or direct; assignments as the command
-// line of the program has them. Prints a line: unknowns, iterations, seconds
-// for the set-up and for the solve, relative residual, peak memory in MB.
+// line of the program has them, of which Body/Refinement=n refines all elements
+// so often. Prints names and values in a line: seconds are those of the whole
+// run, of making the mesh and the loads, of the set-up and of the solve; memory
+// is the peak of a process in MB; messages and bytes are those of an iteration
+// that a process sends, the most of all processes.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
@@ -17,6 +20,7 @@
 #include <string>
 
 #include "../../tests/elasticity/small_model.h"
+#include "message_count.h"
 
 using namespace Setsudan;
 using namespace dealii;
@@ -35,7 +39,10 @@ struct Problem : SmallModel<dim>
   }
 
   Problem(const Parameters &parameters, const CoarseMesh<dim> *mesh)
-    : SmallModel<dim>(parameters, mesh)
+    : SmallModel<dim>(
+        parameters,
+        mesh,
+        Refinement{BodyParameters<dim>(parameters).refinement, {}})
     , solver(parameters)
   {
   }
@@ -53,32 +60,55 @@ peak_memory()
 }
 
 
+/** The largest of all processes, printed by the first one. */
+void
+print(const char *name, const double own)
+{
+  const double largest = Utilities::MPI::max(own, MPI_COMM_WORLD);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::cout << name << " " << largest << " ";
+}
+
+
+std::unique_ptr<EquilibriumSolver>
+make_equilibrium(const std::string &method, Problem &problem)
+{
+  auto &model = problem.model;
+  if (method == "multigrid")
+    return std::make_unique<MultigridEquilibrium<dim>>(
+      model, model.supports, problem.solver);
+  return std::make_unique<Equilibrium<dim>>(
+    model, model.supports, problem.solver);
+}
+
+
 void
 measure(const std::string &method, Problem &problem)
 {
   auto &model           = problem.model;
   const LA::Vector zero = model.discretization.zero_vector();
   Timer timer;
-  std::unique_ptr<EquilibriumSolver> equilibrium;
-  if (method == "multigrid")
-    equilibrium = std::make_unique<MultigridEquilibrium<dim>>(
-      model, model.supports, problem.solver);
-  else
-    equilibrium =
-      std::make_unique<Equilibrium<dim>>(model, model.supports, problem.solver);
-  const double set_up = timer.wall_time();
+  const auto equilibrium = make_equilibrium(method, problem);
+  const double set_up    = timer.wall_time();
+  const auto before      = message_count();
   timer.restart();
   equilibrium->solve(model.loads, model.prescribed, zero);
   const double solve        = timer.wall_time();
+  const auto after          = message_count();
   unsigned int n_iterations = 0;
   if (method == "multigrid")
     n_iterations =
       static_cast<MultigridEquilibrium<dim> &>(*equilibrium).n_iterations();
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::cout << model.discretization.dof_handler.n_dofs() << " "
-              << n_iterations << " " << set_up << " " << solve << " "
-              << equilibrium->quality_of_last().residual << " " << peak_memory()
-              << std::endl;
+  print("unknowns", model.discretization.dof_handler.n_dofs());
+  print("iterations", n_iterations);
+  print("set_up", set_up);
+  print("solve", solve);
+  print("residual", equilibrium->quality_of_last().residual);
+  print("memory", peak_memory());
+  const double n = std::max(n_iterations, 1u);
+  print("messages", (after.messages - before.messages) / n);
+  print("bytes", (after.bytes - before.bytes) / n);
+  print("collectives", (after.collectives - before.collectives) / n);
 }
 } // namespace
 
@@ -86,6 +116,7 @@ measure(const std::string &method, Problem &problem)
 int
 main(int argc, char **argv)
 {
+  const Timer program;
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (argc < 3)
     {
@@ -110,6 +141,12 @@ main(int argc, char **argv)
   CoarseMesh<dim> mesh  = SmallBody<dim>(parameters).body.mesh;
   if (is_distorted)
     mesh = distorted(std::move(mesh));
+  Timer timer;
   Problem problem(parameters, &mesh);
+  const double made = timer.wall_time();
   measure(method, problem);
+  print("model", made);
+  print("program", program.wall_time());
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::cout << std::endl;
 }

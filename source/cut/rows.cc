@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace Setsudan
@@ -53,13 +54,35 @@ DivisionParameters::declare(ParameterHandler &handler)
                     "Division",
                     "Solve",
                     "auto",
-                    Patterns::Selection("auto|condensed|every row anew"),
-                    "condensed: the body is factored once for a whole cut, "
-                    "which is exact and takes memory for all unknowns of the "
-                    "cut; every row anew: by Solver/Method, row by row; auto: "
-                    "by the sizes. Several processes solve every row anew.");
+                    Patterns::Selection("auto|one factorization|condensed|"
+                                        "every row anew|iterative"),
+                    "one factorization: the body is factored once for a whole "
+                    "cut, in the order in which rows will split; condensed: "
+                    "also once, and what a row sets free is added when it "
+                    "splits; both are exact and take memory for all unknowns "
+                    "of the cut; every row anew: by Solver/Method, row by row; "
+                    "iterative: the same, without a factorization whatever the "
+                    "size; auto: by the sizes and by whether all rows are "
+                    "known to split. Several processes solve every row anew.");
 }
 
+
+
+namespace
+{
+DivisionParameters::Solve
+solve_of(const std::string &name)
+{
+  using Solve                                     = DivisionParameters::Solve;
+  static const std::map<std::string, Solve> names = {
+    {"auto", Solve::automatic},
+    {"one factorization", Solve::one_factorization},
+    {"condensed", Solve::condensed},
+    {"every row anew", Solve::anew},
+    {"iterative", Solve::iterative}};
+  return names.at(name);
+}
+} // namespace
 
 
 DivisionParameters::DivisionParameters(const Parameters &parameters)
@@ -72,10 +95,7 @@ DivisionParameters::DivisionParameters(const Parameters &parameters)
                    ? LoadControl::constant
                    : LoadControl::ramp)
   , max_load_factor(parameters.number("Division", "Maximum load factor"))
-  , solve(parameters.text("Division", "Solve") == "condensed" ? Solve::condensed
-          : parameters.text("Division", "Solve") == "every row anew"
-            ? Solve::anew
-            : Solve::automatic)
+  , solve(solve_of(parameters.text("Division", "Solve")))
 {
   parameters.require(row_tolerance >= 0 && row_tolerance < 0.5,
                      "Division",

@@ -86,10 +86,12 @@ template <int dim>
 std::string
 describe_solve(const CutBody<dim> &body)
 {
-  return body.is_condensed()
-           ? "  all rows are solved from one factorization, condensed onto the "
-             "cut."
-           : "  every row is solved anew, " + body.why_anew() + ".";
+  if (!body.is_condensed())
+    return "  every row is solved anew, " + body.why_anew() + ".";
+  return std::string("  all rows are solved from one factorization, condensed "
+                     "onto the cut, ") +
+         (body.is_foreseen() ? "in the order in which they split."
+                             : "which grows as they split.");
 }
 
 

@@ -130,9 +130,7 @@ template <int dim>
 void
 CutBody<dim>::release(const unsigned int row)
 {
-  seam().set_row_state(row,
-                       scene.division.opens ? Seam<dim>::State::opened
-                                            : Seam<dim>::State::free);
+  seam().set_row_state(row, state_of_split_rows());
   find_loose_pieces();
 }
 
@@ -157,6 +155,15 @@ CutBody<dim>::is_condensed() const
 
 
 template <int dim>
+bool
+CutBody<dim>::is_foreseen() const
+{
+  return is_condensed() && choice.is_foreseen(motions && motions->all_held());
+}
+
+
+
+template <int dim>
 void
 CutBody<dim>::expect_single_states()
 {
@@ -169,10 +176,40 @@ template <int dim>
 std::shared_ptr<EquilibriumSolver>
 CutBody<dim>::equilibrium_under(AffineConstraints<double> &&constraints)
 {
-  return choice.solver(*model,
-                       seams.empty() ? nullptr : &seam(),
-                       std::move(constraints),
-                       [&] { return constraints_of(seams.size() - 1); });
+  return choice.solver(
+    *model,
+    seams.empty() ? nullptr : &seam(),
+    std::move(constraints),
+    motions && motions->all_held(),
+    {[&] { return constraints_of(seams.size() - 1); },
+     [&](const auto &visit) { for_each_row_to_come(visit); }});
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::for_each_row_to_come(
+  const std::function<void(const AffineConstraints<double> &)> &visit)
+{
+  visit(constraints());
+  const Seam<dim> present = seam();
+  for (unsigned int row = 0; row < seam().rows().size(); ++row)
+    {
+      seam().set_row_state(row, state_of_split_rows());
+      visit(constraints());
+    }
+  seam() = present;
+}
+
+
+
+template <int dim>
+typename Seam<dim>::State
+CutBody<dim>::state_of_split_rows() const
+{
+  return scene.division.opens ? Seam<dim>::State::opened
+                              : Seam<dim>::State::free;
 }
 
 

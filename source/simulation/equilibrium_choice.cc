@@ -55,11 +55,12 @@ EquilibriumChoice<dim>::why_anew(const ElasticModel<dim> &model,
   if (has_single_states || seam == nullptr || seam->n_double_pairs() == 0 ||
       !seam->holds())
     return "there is no seam";
-  if (scene.division.solve == Solve::anew)
+  if (scene.division.solve == Solve::anew ||
+      scene.division.solve == Solve::iterative)
     return "as Division/Solve says";
   if (Utilities::MPI::n_mpi_processes(discretization.communicator) > 1)
     return "since there are several processes";
-  if (scene.division.solve == Solve::condensed)
+  if (scene.division.solve != Solve::automatic)
     return "";
   if (scene.solver.method == SolverParameters::Method::iterative)
     return "since Solver/Method is iterative";
@@ -77,28 +78,59 @@ EquilibriumChoice<dim>::why_anew(const ElasticModel<dim> &model,
 
 
 template <int dim>
+bool
+EquilibriumChoice<dim>::is_foreseen(const bool all_held) const
+{
+  using Solve = DivisionParameters::Solve;
+  using Check = YieldParameters::Check;
+  // Where a piece comes loose the constraints change by more than a row.
+  if (!all_held || scene.division.solve == Solve::condensed)
+    return false;
+  return scene.division.solve == Solve::one_factorization ||
+         (scene.yield.check == Check::once && !scene.yield.needs_seam());
+}
+
+
+
+template <int dim>
+void
+EquilibriumChoice<dim>::condense(ElasticModel<dim> &model,
+                                 const Seam<dim> &seam,
+                                 const bool all_held,
+                                 const OtherStates &others)
+{
+  condensed = std::make_shared<CondensedEquilibrium<dim>>(
+    model,
+    std::make_shared<const Constraints>(others.without_seam()),
+    seam.coupled_indices(model.discretization.dof_handler.n_dofs()));
+  if (is_foreseen(all_held))
+    others.for_each_row(
+      [&](const Constraints &later) { condensed->foresee(later); });
+}
+
+
+
+template <int dim>
 std::shared_ptr<EquilibriumSolver>
 EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
                                const Seam<dim> *seam,
                                Constraints &&constraints,
-                               const std::function<Constraints()> &without_seam)
+                               const bool all_held,
+                               const OtherStates &others)
 {
   const auto held = std::make_shared<const Constraints>(std::move(constraints));
   // The pieces, in the end, are one step more of what there is.
-  if (condensed || why_anew(model, seam).empty())
-    {
-      if (!condensed)
-        condensed = std::make_shared<CondensedEquilibrium<dim>>(
-          model,
-          std::make_shared<const Constraints>(without_seam()),
-          seam->coupled_indices(model.discretization.dof_handler.n_dofs()));
-      if (condensed->set_constraints(held))
-        return condensed;
-      condensed.reset();
-    }
+  if (!condensed && why_anew(model, seam).empty())
+    condense(model, *seam, all_held, others);
+  if (condensed && condensed->set_constraints(held))
+    return condensed;
+  condensed.reset();
+  SolverParameters parameters = scene.solver;
+  if (scene.division.solve == DivisionParameters::Solve::iterative)
+    parameters.method = SolverParameters::Method::iterative;
   // What has failed once is not tried again.
   ladder = std::make_shared<EquilibriumLadder<dim>>(
-    model, held, scene.solver, ladder && ladder->has_fallen_back());
+    model, held, parameters, ladder && ladder->has_fallen_back());
   return ladder;
 }
 

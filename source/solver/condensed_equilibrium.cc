@@ -12,10 +12,6 @@ using namespace dealii;
 
 namespace
 {
-// Ties are of factors about 1.
-constexpr double round_off = 1e-13;
-
-
 /** A shift that makes even a body definite that only its cut holds: of the size
  * of the stiffness there, so that taking it off again loses no digits. */
 double
@@ -46,7 +42,29 @@ CondensedEquilibrium<dim>::CondensedEquilibrium(
   const double shift = shift_of(matrix, cut);
   factor             = std::make_unique<CholeskyFactor>(matrix, cut, shift);
   complement         = std::make_unique<SchurComplement>(*factor, shift);
-  reduced            = std::make_unique<GrowingCholesky>(cut.size());
+  reduced            = std::make_unique<ReducedCut>(cut, *complement);
+}
+
+
+
+template <int dim>
+bool
+CondensedEquilibrium<dim>::set_constraints(
+  std::shared_ptr<const Constraints> new_step)
+{
+  if (!reduced->set_ties(*new_step))
+    return false;
+  step = std::move(new_step);
+  return true;
+}
+
+
+
+template <int dim>
+bool
+CondensedEquilibrium<dim>::foresee(const Constraints &later)
+{
+  return reduced->foresee(later);
 }
 
 
@@ -57,132 +75,6 @@ CondensedEquilibrium<dim>::memory(const unsigned int n)
 {
   // Both sides of the cut at once, each for itself, and what grows.
   return 8. * n * n * (1 + 0.5 + 1);
-}
-
-
-
-template <int dim>
-bool
-CondensedEquilibrium<dim>::columns_of(const Constraints &constraints,
-                                      std::vector<unsigned int> &free,
-                                      std::vector<Column> &columns) const
-{
-  const auto place_of = [&](const types::global_dof_index unknown) {
-    const auto found = std::lower_bound(cut.begin(), cut.end(), unknown);
-    return found != cut.end() && *found == unknown
-             ? static_cast<int>(found - cut.begin())
-             : -1;
-  };
-  std::vector<int> column_of(cut.size(), -1);
-  for (unsigned int i = 0; i < cut.size(); ++i)
-    if (!constraints.is_constrained(cut[i]))
-      {
-        column_of[i] = columns.size();
-        free.push_back(i);
-        columns.push_back({{i, 1.}});
-      }
-  for (unsigned int i = 0; i < cut.size(); ++i)
-    if (column_of[i] < 0)
-      for (const auto &[master, weight] :
-           *constraints.get_constraint_entries(cut[i]))
-        {
-          const int place = place_of(master);
-          if (place < 0 || column_of[place] < 0)
-            return false;
-          columns[column_of[place]].emplace_back(i, weight);
-        }
-  return true;
-}
-
-
-
-template <int dim>
-bool
-CondensedEquilibrium<dim>::set_constraints(
-  std::shared_ptr<const Constraints> new_step)
-{
-  std::vector<unsigned int> free;
-  std::vector<Column> columns;
-  if (!columns_of(*new_step, free, columns))
-    return false;
-  const unsigned int n_kept = n_that_fit(free, columns);
-  reduced->shrink(n_kept);
-  free_unknowns.resize(n_kept);
-  basis.resize(n_kept);
-
-  std::vector<bool> is_known(cut.size(), false);
-  for (const unsigned int i : free_unknowns)
-    is_known[i] = true;
-  std::vector<Column> added;
-  for (unsigned int c = 0; c < free.size(); ++c)
-    if (!is_known[free[c]])
-      {
-        free_unknowns.push_back(free[c]);
-        added.push_back(std::move(columns[c]));
-      }
-  append(added);
-  step = std::move(new_step);
-  return true;
-}
-
-
-
-template <int dim>
-unsigned int
-CondensedEquilibrium<dim>::n_that_fit(const std::vector<unsigned int> &free,
-                                      const std::vector<Column> &columns) const
-{
-  std::vector<int> column_of(cut.size(), -1);
-  for (unsigned int c = 0; c < free.size(); ++c)
-    column_of[free[c]] = c;
-  // A displacement obeys the ties if it is what they make of its free unknowns.
-  std::vector<double> rest(cut.size(), 0.);
-  for (unsigned int c = 0; c < basis.size(); ++c)
-    {
-      if (column_of[free_unknowns[c]] < 0)
-        return c;
-      for (const auto &[i, value] : basis[c])
-        rest[i] += value;
-      for (const auto &[i, value] : basis[c])
-        if (column_of[i] >= 0)
-          for (const auto &[j, weight] : columns[column_of[i]])
-            rest[j] -= weight * value;
-      bool fits = true;
-      for (const auto &[i, value] : basis[c])
-        {
-          if (column_of[i] >= 0)
-            for (const auto &[j, weight] : columns[column_of[i]])
-              {
-                fits    = fits && std::abs(rest[j]) <= round_off;
-                rest[j] = 0;
-              }
-          fits    = fits && std::abs(rest[i]) <= round_off;
-          rest[i] = 0;
-        }
-      if (!fits)
-        return c;
-    }
-  return basis.size();
-}
-
-
-
-template <int dim>
-void
-CondensedEquilibrium<dim>::append(const std::vector<Column> &columns)
-{
-  std::vector<std::vector<double>> rows;
-  for (const auto &column : columns)
-    {
-      basis.push_back(column);
-      std::vector<double> row(basis.size(), 0.);
-      for (unsigned int c = 0; c < basis.size(); ++c)
-        for (const auto &[i, weight] : column)
-          for (const auto &[j, other] : basis[c])
-            row[c] += weight * other * (*complement)(i, j);
-      rows.push_back(std::move(row));
-    }
-  reduced->append(rows);
 }
 
 
@@ -230,19 +122,11 @@ CondensedEquilibrium<dim>::solve_for(const LA::Vector &b,
         last[i] -= resistance[i];
     }
 
-  std::vector<double> q(basis.size(), 0.);
-  for (unsigned int c = 0; c < basis.size(); ++c)
-    for (const auto &[i, weight] : basis[c])
-      q[c] += weight * last[i];
-  reduced->solve(q);
-  if (opening.empty())
-    std::fill(last, last + cut.size(), 0.);
-  else
-    std::copy(opening.begin(), opening.end(), last);
-  for (unsigned int c = 0; c < basis.size(); ++c)
-    for (const auto &[i, weight] : basis[c])
-      last[i] += weight * q[c];
-
+  auto of_cut = reduced->displacement(last);
+  if (!opening.empty())
+    for (unsigned int i = 0; i < cut.size(); ++i)
+      of_cut[i] += opening[i];
+  std::copy(of_cut.begin(), of_cut.end(), last);
   factor->recover(ordered);
   LA::Vector x = b;
   factor->from_order(ordered, x);

@@ -6,6 +6,8 @@
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
+#include <algorithm>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -27,18 +29,19 @@ GrowingCholesky::size() const
 
 
 void
-GrowingCholesky::append(const std::vector<std::vector<double>> &rows)
+GrowingCholesky::append(
+  const unsigned int n_new,
+  const std::function<double(unsigned int, unsigned int)> &entry_of)
 {
-  const unsigned int n_new = rows.size();
   if (n_new == 0)
     return;
   AssertIndexRange(n + n_new, most + 1);
   const auto entry = [&](const unsigned int row, const unsigned int column) {
     return factor.data() + std::size_t(column) * most + row;
   };
-  for (unsigned int r = 0; r < n_new; ++r)
-    for (unsigned int column = 0; column <= n + r; ++column)
-      *entry(n + r, column) = rows[r][column];
+  for (unsigned int column = 0; column < n + n_new; ++column)
+    for (unsigned int row = std::max(n, column); row < n + n_new; ++row)
+      *entry(row, column) = entry_of(row, column);
 
   const Teuchos::BLAS<int, double> blas;
   const Teuchos::LAPACK<int, double> lapack;
@@ -89,12 +92,14 @@ GrowingCholesky::shrink(const unsigned int n_left)
 void
 GrowingCholesky::solve(std::vector<double> &x) const
 {
-  AssertDimension(x.size(), n);
-  if (n == 0)
+  const int n_solved = x.size();
+  AssertIndexRange(x.size(), n + 1);
+  if (n_solved == 0)
     return;
   const Teuchos::LAPACK<int, double> lapack;
   int info = 0;
-  lapack.POTRS('L', n, 1, factor.data(), most, x.data(), n, &info);
+  lapack.POTRS(
+    'L', n_solved, 1, factor.data(), most, x.data(), n_solved, &info);
   AssertThrow(info == 0, ExcInternalError());
 }
 } // namespace Setsudan

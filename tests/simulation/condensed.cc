@@ -34,9 +34,10 @@ difference(const Scene<dim> &scene,
 
 template <int dim>
 void
-test(const std::string &name,
-     const std::vector<SceneEntry> &more,
-     const bool looks_ahead = true)
+test_solve(const std::string &name,
+           const std::string &solve,
+           const std::vector<SceneEntry> &more,
+           const bool looks_ahead)
 {
   std::vector<SceneEntry> entries = {
     {"Body", "Elements", dim == 3 ? "2,2,2" : "4,4", ""},
@@ -44,7 +45,7 @@ test(const std::string &name,
     {"Support", "Loose pieces", "drop", ""},
     {"Blade", "Edge loads", dim == 3 ? "1:1, 4:2" : "0:1", ""},
     {"Load", "Body force", dim == 3 ? "0.01, 0.02, -0.1" : "0.1, -0.1", ""},
-    {"Division", "Solve", "condensed", ""},
+    {"Division", "Solve", solve, ""},
     {"Cut", "Surfaces", dim == 3 ? "y:1" : "x:2", ""}};
   entries.insert(entries.end(), more.begin(), more.end());
   const Scene<dim> scene(Parameters("test", entries, Scene<dim>::declare));
@@ -74,8 +75,20 @@ test(const std::string &name,
       body.divide();
       largest = std::max(largest, difference(scene, body, no_blade(body)));
     }
-  std::cout << name << (is_condensed ? "" : ": not condensed") << std::endl;
+  std::cout << name << ", " << solve << (is_condensed ? "" : ": it is not")
+            << std::endl;
   check_below("  difference", largest, 1e-10);
+}
+
+
+template <int dim>
+void
+test(const std::string &name,
+     const std::vector<SceneEntry> &more,
+     const bool looks_ahead = true)
+{
+  test_solve<dim>(name, "condensed", more, looks_ahead);
+  test_solve<dim>(name, "one factorization", more, false);
 }
 
 

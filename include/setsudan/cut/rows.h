@@ -24,8 +24,10 @@ struct DivisionParameters
   enum class Solve
   {
     automatic,
+    one_factorization,
     condensed,
-    anew
+    anew,
+    iterative
   };
 
   Release release;

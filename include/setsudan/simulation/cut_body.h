@@ -83,8 +83,12 @@ public:
   bool
   is_condensed() const;
 
-  /** Why they are not, in words that follow "every row is solved anew"; empty
-   * where they are. */
+  /** Whether they are factored at once, before they split. */
+  bool
+  is_foreseen() const;
+
+  /** Why they are not solved from one, in words that follow "every row is
+   * solved anew"; empty where they are. */
   std::string
   why_anew() const;
 
@@ -133,6 +137,16 @@ private:
    * closed. */
   dealii::AffineConstraints<double>
   constraints_of(const unsigned int n_seams) const;
+
+  /** Visit the constraints now, and when each row of the newest cut in turn has
+   * been split. */
+  void
+  for_each_row_to_come(
+    const std::function<void(const dealii::AffineConstraints<double> &)>
+      &visit);
+
+  typename Seam<dim>::State
+  state_of_split_rows() const;
 
   std::shared_ptr<EquilibriumSolver>
   equilibrium_under(dealii::AffineConstraints<double> &&constraints);

@@ -24,6 +24,17 @@ class EquilibriumChoice
 public:
   using Constraints = dealii::AffineConstraints<double>;
 
+  /** How the constraints of other states than the present one are found. */
+  struct OtherStates
+  {
+    /** The present state without the newest seam. */
+    std::function<Constraints()> without_seam;
+    /** Visits the constraints when each row of the newest seam in turn has been
+     * split. */
+    std::function<void(const std::function<void(const Constraints &)> &)>
+      for_each_row;
+  };
+
   /** @param scene must live as long. */
   explicit EquilibriumChoice(const Scene<dim> &scene);
 
@@ -43,19 +54,29 @@ public:
   std::string
   why_anew(const ElasticModel<dim> &model, const Seam<dim> *seam) const;
 
-  /**
-   * The equilibrium under constraints. It may be the same object at the next
-   * call, for others.
+  /** Whether all rows are factored at once, since they are known to split.
    *
-   * @param without_seam the constraints without those of the newest seam.
-   */
+   * @param all_held whether no piece can come loose. */
+  bool
+  is_foreseen(const bool all_held) const;
+
+  /** The equilibrium under constraints. It may be the same object at the next
+   * call, for others. */
   std::shared_ptr<EquilibriumSolver>
   solver(ElasticModel<dim> &model,
          const Seam<dim> *seam,
          Constraints &&constraints,
-         const std::function<Constraints()> &without_seam);
+         const bool all_held,
+         const OtherStates &others);
 
 private:
+  /** Factor the body for all states of a cut. */
+  void
+  condense(ElasticModel<dim> &model,
+           const Seam<dim> &seam,
+           const bool all_held,
+           const OtherStates &others);
+
   const Scene<dim> &scene;
   bool has_single_states = false;
   std::shared_ptr<CondensedEquilibrium<dim>> condensed;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 namespace Setsudan
@@ -18,18 +19,19 @@ public:
   /**
    * Add unknowns.
    *
-   * @param rows the new rows of the matrix up to the diagonal, one behind the
-   *   other, each with as many entries as there are unknowns then.
+   * @param entry the matrix at a row and a column, asked for in each new row up
+   *   to the diagonal.
    * @throw SolverError where the matrix is not positive definite.
    */
   void
-  append(const std::vector<std::vector<double>> &rows);
+  append(const unsigned int n_new,
+         const std::function<double(unsigned int, unsigned int)> &entry);
 
   /** Forget the last unknowns. */
   void
   shrink(const unsigned int n);
 
-  /** Solve for all unknowns there are. */
+  /** Solve for the first unknowns, as many as x has. */
   void
   solve(std::vector<double> &x) const;
 
