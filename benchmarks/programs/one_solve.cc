@@ -11,6 +11,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <setsudan/kernel/blas.h>
 #include <setsudan/solver/equilibrium.h>
 #include <setsudan/solver/multigrid_equilibrium.h>
 
@@ -117,6 +118,7 @@ int
 main(int argc, char **argv)
 {
   const Timer program;
+  start_with_fitting_blas(argv);
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (argc < 3)
     {

@@ -207,7 +207,8 @@ def choices(scene):
                 yield Choice("serendipity", levels, near, plane=plane)
         for levels in range(3 if plane else 2):
             yield Choice("serendipity", levels, release="node row", plane=plane)
-        yield Choice("serendipity", 0, target=0.05, plane=plane)
+        for solver in ("direct", "1e-6"):
+            yield Choice("serendipity", 0, target=0.05, plane=plane, solver=solver)
     for solver in ("1e-3", "1e-4", "1e-6", "1e-8", "1e-10"):
         yield dataclasses.replace(scene.unit, solver=solver)
 

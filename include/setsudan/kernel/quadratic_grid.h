@@ -11,8 +11,13 @@ namespace
 {
 constexpr int n_lanes = SETSUDAN_LANES;
 
-/** One number for each cell. */
+/** One number for each cell. A benchmark puts a type in its place that counts
+ * what is done to it. */
+#ifdef SETSUDAN_LANE_TYPE
+using Lanes = SETSUDAN_LANE_TYPE;
+#else
 typedef double Lanes __attribute__((vector_size(8 * n_lanes), may_alias));
+#endif
 
 template <int dim>
 constexpr int n_points = dim == 2 ? 9 : 27;

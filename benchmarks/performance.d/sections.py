@@ -1,0 +1,198 @@
+"""The tables of doc/performance.md."""
+
+import pathlib
+import shutil
+import statistics
+import tempfile
+
+import block
+import calculix
+import measure
+from measure import benchmark, cube, number, program, remembered, table
+
+# The settings that differ from run to run.
+ANEW = {"Solver/Method": "direct", "Division/Solve": "every row anew"}
+FACTORED = {"Solver/Method": "direct", "Division/Solve": "one factorization"}
+GROWING = {"Solver/Method": "direct", "Division/Solve": "condensed"}
+ITERATIVE = {"Division/Solve": "iterative"}
+
+
+def solve_by_program(scene, values, n_processes):
+    run = program(scene, values, n_processes=n_processes)
+    return run.seconds, run.memory
+
+
+def one_solve(n=20):
+    """From file to displacement, against CalculiX."""
+    with tempfile.TemporaryDirectory() as directory:
+        directory = pathlib.Path(directory)
+        scene = directory / "solve.prm"
+        shutil.copy(pathlib.Path(__file__).parent / "solve.prm", scene)
+        block.write(directory / "block.msh", n)
+        own = {}
+        for name, method, processes in (("iterative", "iterative", 1),
+                                        ("iterative, 2 processes", "iterative", 2),
+                                        ("direct", "direct", 1)):
+            values = {"Solver/Method": method, "Solver/Tolerance": "1e-8"}
+            own[name] = remembered(f"solve {n}, {name}",
+                                   lambda: solve_by_program(scene, values, processes))
+        deck = None
+        theirs = {}
+        for name, solver in calculix.SOLVERS.items():
+            def solve():
+                nonlocal deck
+                deck = deck or calculix.decks(
+                    scene, {"Solver/Method": "direct"}, directory / "decks")[0]
+                return calculix.solve(deck, solver)
+            theirs[name] = remembered(f"solve {n}, CalculiX, {name}", solve)
+    unit = own["iterative"][0]
+    rows = [[f"Setsudan, {name}", number(seconds / unit), f"{memory:.0f}", ""]
+            for name, (seconds, memory) in own.items()]
+    rows += [[f"CalculiX, {name}", number(seconds / unit), f"{memory:.0f}",
+              f"{error:.1e}"] for name, (seconds, memory, error) in theirs.items()]
+    return (table(["from file to displacement", "time", "memory [MB]",
+                   "displacement off by"], rows) + f"\n\nThe unit is {unit:.2g} s.")
+
+
+def one_equation(n=20):
+    """The solve alone, against the assembled matrix."""
+    rows, unit = [], None
+    for name, method in (("multigrid over the order, no matrix", "multigrid"),
+                         ("ML on the assembled matrix, rigid modes", "algebraic"),
+                         ("sparse Cholesky", "direct")):
+        result = remembered(f"equation {n}, {method}",
+                            lambda: benchmark("one_solve", method, n, "distorted"))
+        seconds = result["set_up"] + result["solve"]
+        unit = unit or seconds
+        rows.append([name, number(seconds / unit), number(result["set_up"] / unit),
+                     number(result["solve"] / unit), f"{result['iterations']:.0f}",
+                     f"{result['residual']:.1e}", f"{result['memory']:.0f}"])
+    return (table(["one solve", "time", "set-up", "solve", "iterations", "residual",
+                   "memory [MB]"], rows) + f"\n\nThe unit is {unit:.2g} s.")
+
+
+def rows_anew(n, n_rows=4):
+    """Seconds for a row that is factored anew, the mean of the first few, and for what
+    comes before the first."""
+    values = {**cube(n), **ANEW, "Division/Load control": "constant"}
+    # A depth that is not reached in these rows ends nothing: the cut is stopped.
+    with tempfile.TemporaryDirectory() as directory:
+        command = [measure.ROOT / "build" / "setsudan", measure.CUBE, "--output",
+                   directory, *measure.settings({**measure.QUIET, **values})]
+        return measure.until_row(command, pathlib.Path(directory), n_rows)
+
+
+def whole_cut(n=20):
+    """All rows of a cut, against one solve and against every row anew."""
+    one = remembered(f"equation {n}, uncut, direct", lambda: benchmark(
+        "one_solve", "direct", n))
+    unit = one["set_up"] + one["solve"]
+    rows = [["one uncut factorization and solve", "", 1, f"{one['memory']:.0f}"]]
+    results = {}
+    for name, values in (("one factorization", FACTORED), ("condensed", GROWING),
+                         ("iterative", ITERATIVE)):
+        def run():
+            result = program(measure.CUBE, {**cube(n), **values})
+            return (result.seconds, result.memory,
+                    int(result.events[-1]["frame"]))
+        results[name] = remembered(f"cut {n}, {name}", run)
+    n_states = results["condensed"][2]
+    before, row = remembered(f"cut {n}, every row anew", lambda: rows_anew(n))
+    for name, (seconds, memory, states) in results.items():
+        rows.append([f"cut, {name}", states, number(seconds / unit), f"{memory:.0f}"])
+    anew = before + row * (n_states - 1)
+    rows.append(["cut, every row factored anew (extrapolated from 4)", n_states,
+                 number(anew / unit), ""])
+
+    def by_calculix():
+        with tempfile.TemporaryDirectory() as directory:
+            decks = calculix.decks(measure.CUBE, {**cube(n), **GROWING},
+                                   pathlib.Path(directory))
+            chosen = [decks[len(decks) * i // 4] for i in range(4)]
+            return {name: statistics.mean(calculix.solve(deck, solver)[0]
+                                          for deck in chosen)
+                    for name, solver in calculix.SOLVERS.items()}
+    theirs = remembered(f"cut {n}, CalculiX", by_calculix)
+    for name, seconds in theirs.items():
+        rows.append([f"CalculiX, {name} (extrapolated from 4 states)", n_states,
+                     number(seconds * n_states / unit), ""])
+    return (table(["run", "states", "time", "memory [MB]"], rows)
+            + f"\n\nThe unit is {unit:.2g} s.")
+
+
+def sizes():
+    """Time and memory over the number of unknowns."""
+    rows, unit = [], None
+    for n in (6, 9, 13, 20, 29, 43, 64, 94):
+        result = remembered(f"size {n}", lambda: benchmark(
+            "one_solve", "multigrid", n, "distorted"))
+        unknowns = result["unknowns"]
+        each = (result["set_up"] + result["solve"]) / unknowns
+        if n == 20:
+            unit = each
+        rows.append((unknowns, result, each))
+    return table(
+        ["unknowns", "iterations", "time per unknown", "of it set-up", "mesh and loads",
+         "memory [kB per unknown]"],
+        [[f"{unknowns:.0f}", f"{result['iterations']:.0f}", number(each / unit),
+          f"{100 * result['set_up'] / (result['set_up'] + result['solve']):.0f} %",
+          number(result["model"] / unknowns / unit),
+          number(result["memory"] * 1024 / unknowns)] for unknowns, result, each in rows]
+    ) + f"\n\nThe unit is {unit * 1e6:.2g} s for a million unknowns."
+
+
+def operator():
+    """K u without a matrix, against what the processor can do."""
+    rows = []
+    for n in (20, 40):
+        result = remembered(f"throughput {n}", lambda: benchmark("throughput", n))
+        for kind in ("general", "uniform"):
+            limits = {"operations": result["core_flops"] / result[f"{kind}_flops"],
+                      "memory": result["core_bytes"] / result[f"{kind}_bytes"]}
+            limit = min(limits, key=limits.get)
+            rows.append([f"{result['unknowns']:.0f}", kind,
+                         f"{result[f'{kind}_rate'] / 1e6:.0f}",
+                         f"{result[f'{kind}_flops']:.0f}", f"{result[f'{kind}_bytes']:.0f}",
+                         limit, f"{100 * result[f'{kind}_cells'] / limits[limit]:.0f} %"])
+    return (table(["unknowns", "cells", "million unknowns per second and core",
+                   "operations per cell", "bytes per cell", "limit",
+                   "reached of it"], rows)
+            + f"\n\nOne core does {result['core_flops'] / 1e9:.0f} billion operations a "
+            f"second (dgemm) and moves {result['core_bytes'] / 1e9:.0f} GB/s.")
+
+
+def events():
+    """The time of one row in small scenes."""
+    rows = []
+    for n in (4, 6, 8):
+        def run():
+            lines = [line for line in program(measure.CUBE, {**cube(n), **FACTORED}).events
+                     if line["event"] == "deform"]
+            seconds = [float(line["seconds"]) for line in lines]
+            # The second row prepares the cut.
+            return statistics.median(
+                b - a for a, b in zip(seconds[1:], seconds[2:])) * 1e3
+        rows.append([f"{n}^3", number(remembered(f"event {n}", run))])
+    return table(["elements", "one row [ms, median]"], rows)
+
+
+def frames(n=20):
+    """What writing every frame costs."""
+    values = {**cube(n), **FACTORED}
+    without, with_frames = (
+        remembered(f"frames {n}, {frames}", lambda: program(
+            measure.CUBE, {**values, "Output/Frames": frames}).seconds)
+        for frames in ("none", "every row"))
+    return table(["frames", "time"],
+                 [["none", 1], ["every row", f"{with_frames / without:.2f}"]])
+
+
+SECTIONS = {
+    "One solve": one_solve,
+    "The equations alone": one_equation,
+    "A whole cut": whole_cut,
+    "From a thousand to ten million unknowns": sizes,
+    "The product without a matrix": operator,
+    "The smallest scenes": events,
+    "Frames": frames,
+}
