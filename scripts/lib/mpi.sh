@@ -7,3 +7,4 @@ fi
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
 # Busy waiting makes solves many times slower on a shared core.
 export OMP_WAIT_POLICY=passive
+export OPENBLAS_THREAD_TIMEOUT=${OPENBLAS_THREAD_TIMEOUT:-4}

@@ -72,6 +72,7 @@ start_with_fitting_blas(char **argv)
   setenv(core_variable, better.c_str(), 0);
   // Busy waiting makes solves many times slower on a shared core.
   setenv("OMP_WAIT_POLICY", "passive", 0);
+  setenv("OPENBLAS_THREAD_TIMEOUT", "4", 0);
   // Where that is not possible the program goes on, only slower.
   execv("/proc/self/exe", argv);
 }

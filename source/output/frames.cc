@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
+#include <memory>
 #include <ostream>
 
 namespace Setsudan
@@ -108,6 +110,102 @@ cell_data(const Discretization<dim> &discretization,
         value_of_element(discretization.element(cell));
   return data;
 }
+
+
+/** What a frame shows, without the body that it was taken from. */
+template <int dim>
+class Frame
+{
+public:
+  Frame(const ElasticModel<dim> &model,
+        const LA::Vector &displacement,
+        const ElementLabels &labels,
+        const dealii::Vector<double> &error_squares)
+    : stress(model, displacement)
+  {
+    add_displacement(model.discretization, displacement);
+    add_cell_data(model, labels, error_squares);
+    DataOutBase::VtkFlags flags;
+    flags.write_higher_order_cells = true;
+    // Frames that are a tenth smaller would take many times as long.
+    flags.compression_level = DataOutBase::VtkFlags::best_speed;
+    data_out.set_flags(flags);
+    data_out.build_patches(model.discretization.mapping(),
+                           model.discretization.type == ElementType::linear ? 1
+                                                                            : 2,
+                           DataOut<dim>::curved_inner_cells);
+    data_out.clear_input_data_references();
+  }
+
+  /** @param base the files' names up to the ending.
+   * @param rank  of this process, and how many there are. */
+  void
+  write(const OutputDirectory &directory,
+        const std::string &base,
+        const unsigned int rank,
+        const unsigned int n_ranks) const
+  {
+    const auto name_of_rank = [&](const unsigned int r) {
+      return n_ranks == 1 ? base + ".vtu"
+                          : base + "." + std::to_string(r) + ".vtu";
+    };
+    directory.write(name_of_rank(rank),
+                    [&](std::ostream &out) { data_out.write_vtu(out); });
+    if (rank > 0 || n_ranks == 1)
+      return;
+    std::vector<std::string> names;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      names.push_back(name_of_rank(r));
+    directory.write(base + ".pvtu", [&](std::ostream &out) {
+      data_out.write_pvtu_record(out, names);
+    });
+  }
+
+private:
+  void
+  add_displacement(const Discretization<dim> &discretization,
+                   const LA::Vector &displacement)
+  {
+    data_out.attach_dof_handler(discretization.dof_handler);
+    data_out.add_data_vector(
+      displacement,
+      std::vector<std::string>(dim, "displacement"),
+      DataOut<dim>::type_dof_data,
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        dim, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.add_data_vector(displacement, stress);
+  }
+
+  void
+  add_cell_data(const ElasticModel<dim> &model,
+                const ElementLabels &labels,
+                const dealii::Vector<double> &error_squares)
+  {
+    const auto add = [&](const std::string &name, const auto &value) {
+      cell_values.push_back(cell_data<dim>(model.discretization, value));
+      data_out.add_data_vector(
+        cell_values.back(), name, DataOut<dim>::type_cell_data);
+    };
+    add("side", [&](const unsigned int e) { return labels.side[e]; });
+    add("piece", [&](const unsigned int e) { return labels.piece[e]; });
+    add("material",
+        [&](const unsigned int e) { return model.materials.number(e); });
+    if (error_squares.size() == 0)
+      return;
+    dealii::Vector<float> error(error_squares.size());
+    std::transform(error_squares.begin(),
+                   error_squares.end(),
+                   error.begin(),
+                   [](const double square) { return std::sqrt(square); });
+    cell_values.push_back(std::move(error));
+    data_out.add_data_vector(
+      cell_values.back(), "energy_error", DataOut<dim>::type_cell_data);
+  }
+
+  StressPostprocessor<dim> stress;
+  std::list<dealii::Vector<float>> cell_values;
+  DataOut<dim> data_out;
+};
 } // namespace
 
 
@@ -127,71 +225,33 @@ FrameWriter<dim>::write(const unsigned int frame,
                         const ElementLabels &labels,
                         const dealii::Vector<double> &error_squares)
 {
-  const auto &discretization = model.discretization;
-  const StressPostprocessor<dim> stress(model, displacement);
-  const auto side = cell_data<dim>(
-    discretization, [&](const unsigned int e) { return labels.side[e]; });
-  const auto piece = cell_data<dim>(
-    discretization, [&](const unsigned int e) { return labels.piece[e]; });
-
-  const auto material = cell_data<dim>(discretization, [&](const unsigned e) {
-    return model.materials.number(e);
-  });
-
-  DataOut<dim> data_out;
-  data_out.attach_dof_handler(discretization.dof_handler);
-  data_out.add_data_vector(
-    displacement,
-    std::vector<std::string>(dim, "displacement"),
-    DataOut<dim>::type_dof_data,
-    std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-      dim, DataComponentInterpretation::component_is_part_of_vector));
-  data_out.add_data_vector(displacement, stress);
-  data_out.add_data_vector(side, "side", DataOut<dim>::type_cell_data);
-  data_out.add_data_vector(piece, "piece", DataOut<dim>::type_cell_data);
-  data_out.add_data_vector(material, "material", DataOut<dim>::type_cell_data);
-  dealii::Vector<float> error(error_squares.size());
-  std::transform(error_squares.begin(),
-                 error_squares.end(),
-                 error.begin(),
-                 [](const double square) { return std::sqrt(square); });
-  if (error.size() > 0)
-    data_out.add_data_vector(
-      error, "energy_error", DataOut<dim>::type_cell_data);
-  DataOutBase::VtkFlags flags;
-  flags.write_higher_order_cells = true;
-  // Frames that are a tenth smaller would take many times as long.
-  flags.compression_level = DataOutBase::VtkFlags::best_speed;
-  data_out.set_flags(flags);
-  data_out.build_patches(discretization.mapping(),
-                         discretization.type == ElementType::linear ? 1 : 2,
-                         DataOut<dim>::curved_inner_cells);
-
-  const MPI_Comm communicator = discretization.communicator;
+  const MPI_Comm communicator = model.discretization.communicator;
   const unsigned int rank     = Utilities::MPI::this_mpi_process(communicator);
   const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
   const std::string base      = "frame_" + Utilities::to_string(frame, 4);
-  const auto name_of_rank     = [&](const unsigned int r) {
-    return n_ranks == 1 ? base + ".vtu"
-                            : base + "." + std::to_string(r) + ".vtu";
-  };
-  directory.write(name_of_rank(rank),
-                  [&](std::ostream &out) { data_out.write_vtu(out); });
+  const auto content          = std::make_shared<const Frame<dim>>(
+    model, displacement, labels, error_squares);
+  finish();
   sequence.emplace_back(frame, base + (n_ranks == 1 ? ".vtu" : ".pvtu"));
-  if (rank > 0)
-    return;
-  if (n_ranks > 1)
-    {
-      std::vector<std::string> names;
-      for (unsigned int r = 0; r < n_ranks; ++r)
-        names.push_back(name_of_rank(r));
-      directory.write(base + ".pvtu", [&](std::ostream &out) {
-        data_out.write_pvtu_record(out, names);
-      });
-    }
-  directory.write("cut.pvd", [&](std::ostream &out) {
-    DataOutBase::write_pvd_record(out, sequence);
-  });
+  // MPI is not called from there.
+  pending = std::async(std::launch::async,
+                       [this, content, base, rank, n_ranks, shown = sequence] {
+                         content->write(directory, base, rank, n_ranks);
+                         if (rank == 0)
+                           directory.write("cut.pvd", [&](std::ostream &out) {
+                             DataOutBase::write_pvd_record(out, shown);
+                           });
+                       });
+}
+
+
+
+template <int dim>
+void
+FrameWriter<dim>::finish()
+{
+  if (pending.valid())
+    pending.get();
 }
 
 

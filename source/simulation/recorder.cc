@@ -67,9 +67,20 @@ Recorder<dim>::write_parameters(const Parameters &parameters) const
 
 
 template <int dim>
-Record
-Recorder<dim>::save() const
+void
+Recorder<dim>::finish()
 {
+  frames.finish();
+}
+
+
+
+template <int dim>
+Record
+Recorder<dim>::save()
+{
+  // What is resumed from must be there.
+  finish();
   return {statistics.table,
           frames.sequence,
           warned_of_round_off,

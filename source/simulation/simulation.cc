@@ -66,6 +66,7 @@ Simulation<dim>::run()
         reach(Checkpoint::Stage::divided);
       goes_on = make_cut(cut);
     }
+  recorder.finish();
   checkpoints.finish();
   std::ostringstream line;
   line << "Results in " << scene.output.directory << ": " << n_frames

@@ -5,6 +5,7 @@
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/output/output_directory.h>
 
+#include <future>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct ElementLabels
 /**
  * Writes solved states as frame_NNNN.vtu (or, over several processes, as
  * frame_NNNN.pvtu with one .vtu file each), and the sequence as cut.pvd.
+ *
+ * Files are compressed and written in the background, one frame after the
+ * other, while the next state is solved.
  */
 template <int dim>
 class FrameWriter
@@ -32,10 +36,12 @@ public:
 
   /**
    * Write a frame: displacement, stress, maximum shear, side and piece, on
-   * quadratic cells. Called by all processes.
+   * quadratic cells. Called by all processes. Nothing that is handed over must
+   * live longer than the call.
    *
    * @param displacement with ghosts.
    * @param error_squares see ErrorEstimate; empty if errors are not estimated.
+   * @throw SceneError where this frame, or the one before, cannot be written.
    */
   void
   write(const unsigned int frame,
@@ -44,10 +50,18 @@ public:
         const ElementLabels &labels,
         const dealii::Vector<double> &error_squares = {});
 
+  /** Wait until all files are whole.
+   *
+   * @throw SceneError where the last frame could not be written. */
+  void
+  finish();
+
   /** Frame numbers, which are the times in ParaView, and file names. */
   std::vector<std::pair<double, std::string>> sequence;
 
 private:
   const OutputDirectory &directory;
+  /** The frame that is being written; its end waits for that. */
+  std::future<void> pending;
 };
 } // namespace Setsudan

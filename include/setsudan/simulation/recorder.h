@@ -45,9 +45,15 @@ public:
   void
   write_parameters(const Parameters &parameters) const;
 
-  /** The record so far; and go on with one. */
+  /** Wait until everything is on the disk.
+   *
+   * @throw SceneError where it could not be written. */
+  void
+  finish();
+
+  /** The record so far, when it is on the disk; and go on with one. */
   Record
-  save() const;
+  save();
   void
   restore(const Record &record);
 
