@@ -1,5 +1,6 @@
 """The tables of doc/performance.md."""
 
+import functools
 import pathlib
 import shutil
 import statistics
@@ -10,11 +11,32 @@ import calculix
 import measure
 from measure import benchmark, cube, number, program, remembered, table
 
+# How CalculiX calls its solvers.
+CALCULIX = {"SPOOLES": "SPOOLES", "scaled conjugate gradients": "ITERATIVE SCALING",
+            "conjugate gradients with incomplete Cholesky": "ITERATIVE CHOLESKY"}
+
 # The settings that differ from run to run.
 ANEW = {"Solver/Method": "direct", "Division/Solve": "every row anew"}
 FACTORED = {"Division/Solve": "one factorization"}
 GROWING = {"Division/Solve": "condensed"}
 ITERATIVE = {"Division/Solve": "iterative"}
+
+
+def decks(scene, values, directory):
+    """The decks for CalculiX of a run's states."""
+    program(scene, {**values, "Output/CalculiX decks": "true"}, directory)
+    return sorted(directory.glob("stage_*.inp"))
+
+
+def solve_by_calculix(deck, solver):
+    """Seconds, memory in MB, and how far the displacements are from the program's."""
+    job = deck.with_name(f"{deck.stem}_{solver.replace(' ', '_')}.inp")
+    job.write_text(deck.read_text().replace("*STATIC\n", f"*STATIC, SOLVER={solver}\n"))
+    seconds, memory, said = measure.timed(["ccx", job.stem], job.parent,
+                                          OMP_NUM_THREADS="2")
+    if "*ERROR" in said:
+        raise RuntimeError(said[-2000:])
+    return seconds, memory, calculix.compare(job, deck.with_suffix(".csv"))[2]
 
 
 def solve_by_program(scene, values, n_processes):
@@ -36,15 +58,11 @@ def one_solve(n=20):
             values = {"Solver/Method": method, "Solver/Tolerance": "1e-8"}
             own[name] = remembered(f"solve {n}, {name}",
                                    lambda: solve_by_program(scene, values, processes))
-        deck = None
-        theirs = {}
-        for name, solver in calculix.SOLVERS.items():
-            def solve():
-                nonlocal deck
-                deck = deck or calculix.decks(
-                    scene, {"Solver/Method": "direct"}, directory / "decks")[0]
-                return calculix.solve(deck, solver)
-            theirs[name] = remembered(f"solve {n}, CalculiX, {name}", solve)
+        written = functools.cache(lambda: decks(
+            scene, {"Solver/Method": "direct"}, directory / "decks")[0])
+        theirs = {name: remembered(f"solve {n}, CalculiX, {name}",
+                                   lambda: solve_by_calculix(written(), solver))
+                  for name, solver in CALCULIX.items()}
     unit = own["iterative"][0]
     rows = [[f"Setsudan, {name}", number(seconds / unit), f"{memory:.0f}", ""]
             for name, (seconds, memory) in own.items()]
@@ -72,14 +90,21 @@ def one_equation(n=20):
 
 
 def rows_anew(n, n_rows=4):
-    """Seconds for a row that is factored anew, the mean of the first few, and for what
-    comes before the first."""
-    values = {**cube(n), **ANEW, "Division/Load control": "constant"}
-    # A depth that is not reached in these rows ends nothing: the cut is stopped.
+    """Seconds of a cut of which every row is factored anew: up to the first one, and for
+    one of the next few, behind which it is stopped."""
+    def found(events):
+        seconds = [float(line["seconds"]) for line in events if line["event"] == "deform"]
+        return (seconds[0], (seconds[-1] - seconds[0]) / n_rows) \
+            if len(seconds) > n_rows else None
+
     with tempfile.TemporaryDirectory() as directory:
-        command = [measure.ROOT / "build" / "setsudan", measure.CUBE, "--output",
-                   directory, *measure.settings({**measure.QUIET, **values})]
-        return measure.until_row(command, pathlib.Path(directory), n_rows)
+        command = [*measure.processes(1), measure.ROOT / "build" / "setsudan",
+                   measure.CUBE, "--output", directory,
+                   *measure.settings({**measure.QUIET, **cube(n), **ANEW})]
+        result, refusal = measure.watched(command, directory, found)
+    if refusal:
+        raise RuntimeError(refusal)
+    return result
 
 
 def whole_cut(n=20):
@@ -106,12 +131,12 @@ def whole_cut(n=20):
 
     def by_calculix():
         with tempfile.TemporaryDirectory() as directory:
-            decks = calculix.decks(measure.CUBE, {**cube(n), **GROWING},
-                                   pathlib.Path(directory))
-            chosen = [decks[len(decks) * i // 4] for i in range(4)]
-            return {name: statistics.mean(calculix.solve(deck, solver)[0]
+            written = decks(measure.CUBE, {**cube(n), **GROWING},
+                            pathlib.Path(directory))
+            chosen = [written[len(written) * i // 4] for i in range(4)]
+            return {name: statistics.mean(solve_by_calculix(deck, solver)[0]
                                           for deck in chosen)
-                    for name, solver in calculix.SOLVERS.items()}
+                    for name, solver in CALCULIX.items()}
     theirs = remembered(f"cut {n}, CalculiX", by_calculix)
     for name, seconds in theirs.items():
         rows.append([f"CalculiX, {name} (extrapolated from 4 states)", n_states,

@@ -1,14 +1,13 @@
 """The runs of the trade: scenes, what is varied, and how one is timed."""
 
-import csv
 import dataclasses
-import json
 import pathlib
-import subprocess
 import tempfile
-import time
+
+import measure
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+STORE = ROOT / "build" / "trade.json"
 HERE = pathlib.Path(__file__).resolve().parent
 # A run that takes longer than this many seconds is given up.
 LIMIT = 240
@@ -122,13 +121,9 @@ class Result:
 
 def measured(scene, choice, limit=LIMIT):
     """What run() gives, or gave when this was measured before."""
-    store = ROOT / "build" / "trade.json"
-    known = json.loads(store.read_text()) if store.exists() else {}
-    key = f"{scene.name}: {choice.label}"
-    if key not in known:
-        known[key] = dataclasses.asdict(run(scene, choice, limit))
-        store.write_text(json.dumps(known, indent=1))
-    return Result(**known[key])
+    return Result(**measure.remembered(
+        f"{scene.name}: {choice.label}",
+        lambda: dataclasses.asdict(run(scene, choice, limit)), STORE))
 
 
 def scene_text(scene, settings):
@@ -160,37 +155,20 @@ def run(scene, choice, limit=LIMIT):
         path = pathlib.Path(directory) / "scene.prm"
         path.write_text(scene_text(scene, settings))
         command = [str(ROOT / "build" / "setsudan"), str(path), "--output", directory]
-        log = pathlib.Path(directory) / "log"
-        with open(log, "w") as said:
-            process = subprocess.Popen(command, stdout=said, stderr=said)
-        begin = time.monotonic()
-        try:
-            while True:
-                ended = process.poll() is not None
-                event = event_at(pathlib.Path(directory) / "statistics.csv", scene.depth)
-                if event:
-                    width = scene.width if choice.plane and scene.in_space else 1
-                    return Result(float(event[scene.column]) * width,
-                                  float(event["seconds"]))
-                if ended:
-                    return Result(refusal=log.read_text().strip().splitlines()[-1])
-                if time.monotonic() - begin > limit:
-                    return Result(refusal=f"longer than {limit} s")
-                time.sleep(0.02)
-        finally:
-            process.kill()
-            process.wait()
+        event, refusal = measure.watched(
+            command, directory, lambda events: event_at(events, scene.depth), limit)
+    if refusal:
+        return Result(refusal=refusal)
+    width = scene.width if choice.plane and scene.in_space else 1
+    return Result(float(event[scene.column]) * width, float(event["seconds"]))
 
 
-def event_at(table, depth):
+def event_at(events, depth):
     """The deformation of the first row at a depth, once it is written."""
-    if not table.exists():
-        return None
-    with open(table, newline="") as lines:
-        for event in csv.DictReader(lines):
-            if (event["event"] == "deform" and event["row_pieces"] is not None
-                    and float(event["depth"]) > depth * (1 - 1e-9)):
-                return event
+    for event in events:
+        if (event["event"] == "deform" and event["row_pieces"] is not None
+                and float(event["depth"]) > depth * (1 - 1e-9)):
+            return event
     return None
 
 

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+import calculix
 import program
 import tables
 
@@ -18,32 +19,15 @@ TOLERANCE = 1e-6
 SKIPPED = 77
 
 
-def solve(deck):
-    """The displacements that ccx finds, by number of node."""
+def compare(deck):
+    """Let ccx solve a deck: the largest difference relative to the largest
+    displacement."""
     result = subprocess.run(["ccx", deck.stem], cwd=deck.parent, capture_output=True,
                             text=True)
     if result.returncode != 0 or "*ERROR" in result.stdout:
         sys.exit(f"ccx {deck.name}: {result.stdout[-2000:]}{result.stderr}")
-    displacements = {}
-    for line in deck.with_suffix(".dat").read_text().splitlines():
-        words = line.split()
-        if len(words) == 4 and words[0].isdigit():
-            displacements[int(words[0])] = [float(word) for word in words[1:]]
-    return displacements
-
-
-def compare(deck):
-    """The largest difference relative to the largest displacement."""
-    rows = tables.read(deck.with_suffix(".csv"))
-    expected = {int(row["node"]): [float(row[u]) for u in ("ux", "uy", "uz")]
-                for row in rows}
-    found = solve(deck)
-    if found.keys() != expected.keys():
-        sys.exit(f"{deck.name}: ccx gives {len(found)} nodes of {len(expected)}")
-    largest = max(abs(u) for node in expected.values() for u in node)
-    error = max(tables.relative_error(u, v, largest) for node in expected
-                for u, v in zip(found[node], expected[node]))
-    print(f"{deck.name}: {len(rows)} nodes, largest displacement {largest:.3g}, "
+    n_nodes, largest, error = calculix.compare(deck, deck.with_suffix(".csv"))
+    print(f"{deck.name}: {n_nodes} nodes, largest displacement {largest:.3g}, "
           f"largest difference {error:.1e} of it")
     return error
 

@@ -1,4 +1,4 @@
-"""How runs are timed: of the program, of benchmark programs and of CalculiX."""
+"""How runs are timed: of the program, of benchmark programs and of others."""
 
 import csv
 import dataclasses
@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -14,39 +15,63 @@ STORE = ROOT / "build" / "performance.json"
 CUBE = ROOT / "prm" / "kakefuda_1996" / "cut.prm"
 
 
-def remembered(key, measure):
+def remembered(key, measure, store=STORE):
     """What measure() gives, or gave when it was called for this key before."""
-    known = json.loads(STORE.read_text()) if STORE.exists() else {}
+    known = json.loads(store.read_text()) if store.exists() else {}
     if key not in known:
         known[key] = measure()
-        STORE.write_text(json.dumps(known, indent=1))
-    print(key, known[key], flush=True)
+        store.write_text(json.dumps(known, indent=1))
+    print(key, known[key], file=sys.stderr, flush=True)
     return known[key]
 
 
-def timed(command, directory=None, limit=None, **environment):
-    """Seconds and peak memory in MB of a command, which must succeed in `limit`
-    seconds; nothing if it takes longer."""
+def timed(command, directory=None, **environment):
+    """Seconds, peak memory in MB and output of a command, which must succeed."""
     with tempfile.TemporaryFile("w+") as said:
         begin = time.monotonic()
         process = subprocess.Popen([str(word) for word in command], cwd=directory,
                                    stdout=said, stderr=said,
                                    env={**os.environ, **environment})
-        while True:
-            ended, status, usage = os.wait4(process.pid, os.WNOHANG)
-            if ended:
-                break
-            if limit and time.monotonic() - begin > limit:
-                process.kill()
-                process.wait()
-                return None
-            time.sleep(0.01)
+        _, status, usage = os.wait4(process.pid, 0)
         seconds = time.monotonic() - begin
         said.seek(0)
         text = said.read()
     if status != 0:
         raise RuntimeError(f"failed: {command}\n{text[-2000:]}")
     return seconds, usage.ru_maxrss / 1024, text
+
+
+def events_in(directory):
+    """The lines of a run's statistics, so far."""
+    path = pathlib.Path(directory) / "statistics.csv"
+    if not path.exists():
+        return []
+    with open(path, newline="") as table:
+        return list(csv.DictReader(table))
+
+
+def watched(command, directory, found, limit=None):
+    """Run the program until found(events) gives something, and end it: what that is, and
+    why there is nothing."""
+    with tempfile.TemporaryFile("w+") as said:
+        process = subprocess.Popen([str(word) for word in command], stdout=said,
+                                   stderr=said)
+        begin = time.monotonic()
+        try:
+            while True:
+                ended = process.poll() is not None
+                result = found(events_in(directory))
+                if result:
+                    return result, ""
+                if ended:
+                    said.seek(0)
+                    return None, said.read().strip().splitlines()[-1]
+                if limit and time.monotonic() - begin > limit:
+                    return None, f"longer than {limit} s"
+                time.sleep(0.02)
+        finally:
+            process.kill()
+            process.wait()
 
 
 def processes(n):
@@ -76,28 +101,6 @@ class Run:
     events: list
 
 
-def until_row(command, directory, n_rows):
-    """Start a cut, and end it when so many rows have been solved behind the first.
-    Seconds before the second one, and for each that follows it."""
-    process = subprocess.Popen([str(word) for word in command],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    path = directory / "statistics.csv"
-    try:
-        while True:
-            time.sleep(0.1)
-            if path.exists():
-                with open(path, newline="") as table:
-                    seconds = [float(line["seconds"]) for line in csv.DictReader(table)
-                               if line["event"] == "deform"]
-                if len(seconds) > n_rows:
-                    return seconds[0], (seconds[-1] - seconds[0]) / (len(seconds) - 1)
-            if process.poll() is not None:
-                raise RuntimeError(f"ended early: {command}")
-    finally:
-        process.kill()
-        process.wait()
-
-
 QUIET = {"Output/Frames": "none", "Output/Checkpoint": "none",
          "Output/Node tables": "false"}
 
@@ -109,8 +112,7 @@ def program(scene, values, directory=None, n_processes=1):
         command = [*processes(n_processes), ROOT / "build" / "setsudan", scene,
                    "--output", directory, *settings({**QUIET, **values})]
         seconds, memory, _ = timed(command)
-        with open(pathlib.Path(directory) / "statistics.csv", newline="") as table:
-            return Run(seconds, memory, list(csv.DictReader(table)))
+        return Run(seconds, memory, events_in(directory))
 
 
 def cube(n):
