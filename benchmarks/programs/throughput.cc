@@ -11,26 +11,13 @@
 #include <setsudan/elasticity/cell_batches.h>
 #include <setsudan/kernel/blas.h>
 
+#include <Teuchos_BLAS.hpp>
+
 #include <algorithm>
 #include <iostream>
 
 #include "../../tests/elasticity/small_model.h"
 #include "counted_kernel.h"
-
-extern "C" void
-dgemm_(const char *,
-       const char *,
-       const int *,
-       const int *,
-       const int *,
-       const double *,
-       const double *,
-       const int *,
-       const double *,
-       const int *,
-       const double *,
-       double *,
-       const int *);
 
 using namespace Setsudan;
 using namespace dealii;
@@ -68,21 +55,21 @@ flops_of_core()
 {
   const int n = 1200;
   std::vector<double> a(n * n, 1.), b(n * n, 1.), c(n * n);
-  const double one = 1, zero = 0;
+  const Teuchos::BLAS<int, double> blas;
   return 2. * n * n * n / shortest_time([&] {
-           dgemm_("N",
-                  "N",
-                  &n,
-                  &n,
-                  &n,
-                  &one,
-                  a.data(),
-                  &n,
-                  b.data(),
-                  &n,
-                  &zero,
-                  c.data(),
-                  &n);
+           blas.GEMM(Teuchos::NO_TRANS,
+                     Teuchos::NO_TRANS,
+                     n,
+                     n,
+                     n,
+                     1.,
+                     a.data(),
+                     n,
+                     b.data(),
+                     n,
+                     0.,
+                     c.data(),
+                     n);
          });
 }
 

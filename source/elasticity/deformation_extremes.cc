@@ -196,15 +196,15 @@ find_extremes(ElasticModel<dim> &model, const LA::Vector &displacement)
   const bool serendipity = discretization.type == ElementType::serendipity;
   const auto gradients_of =
     serendipity ? kernel.serendipity_gradients : kernel.quadratic_gradients;
-  auto u = batches.imported(displacement);
+  const double *const positions = batches.positions().begin();
+  auto u                        = batches.imported(displacement);
   u.update_ghost_values();
   AlignedVector<double> gradients(2 * Utilities::pow(3, dim) * dim * dim *
                                   kernel.n_lanes);
   DeformationExtremes extremes;
   for (unsigned int b = 0; b < batches.size(); ++b)
     {
-      gradients_of(
-        batches[b], batches.positions().begin(), u.begin(), gradients.data());
+      gradients_of(batches[b], positions, u.begin(), gradients.data());
       include_batch<dim>(
         batches[b], kernel.n_lanes, serendipity, gradients.data(), extremes);
     }

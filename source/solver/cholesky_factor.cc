@@ -2,34 +2,20 @@
 #include <setsudan/solver/elimination_order.h>
 #include <setsudan/solver/linear_solver.h>
 
+#include <Teuchos_BLAS.hpp>
+
 #include <algorithm>
 
-// For one right-hand side; Teuchos has the first for several only.
-extern "C"
-{
-  void
-  dtrsv_(const char *uplo,
-         const char *transposed,
-         const char *unit_diagonal,
-         const int *n,
-         const double *a,
-         const int *lda,
-         double *x,
-         const int *stride);
-
-  void
-  dgemv_(const char *transposed,
-         const int *m,
-         const int *n,
-         const double *alpha,
-         const double *a,
-         const int *lda,
-         const double *x,
-         const int *stride_of_x,
-         const double *beta,
-         double *y,
-         const int *stride_of_y);
-}
+/** BLAS's solve for one right-hand side, which has no wrapper. */
+extern "C" void
+dtrsv_(const char *uplo,
+       const char *transposed,
+       const char *unit_diagonal,
+       const int *n,
+       const double *a,
+       const int *lda,
+       double *x,
+       const int *stride);
 
 namespace Setsudan
 {
@@ -166,20 +152,19 @@ solve_lower(const Supernode &node,
             std::vector<double> &below)
 {
   const int n_below = node.n_rows - n_columns, one = 1;
-  const double unity = 1, zero = 0;
   dtrsv_(
     "L", "N", "N", &n_columns, node.values, &node.n_rows, &x[node.first], &one);
-  dgemv_("N",
-         &n_below,
-         &n_columns,
-         &unity,
-         node.values + n_columns,
-         &node.n_rows,
-         &x[node.first],
-         &one,
-         &zero,
-         below.data(),
-         &one);
+  Teuchos::BLAS<int, double>().GEMV(Teuchos::NO_TRANS,
+                                    n_below,
+                                    n_columns,
+                                    1.,
+                                    node.values + n_columns,
+                                    node.n_rows,
+                                    &x[node.first],
+                                    1,
+                                    0.,
+                                    below.data(),
+                                    1);
   for (int i = 0; i < n_below; ++i)
     x[node.rows[n_columns + i]] -= below[i];
 }
@@ -193,20 +178,19 @@ solve_upper(const Supernode &node,
             std::vector<double> &below)
 {
   const int n_below = node.n_rows - n_columns, one = 1;
-  const double unity = 1, minus = -1;
   for (int i = 0; i < n_below; ++i)
     below[i] = x[node.rows[n_columns + i]];
-  dgemv_("T",
-         &n_below,
-         &n_columns,
-         &minus,
-         node.values + n_columns,
-         &node.n_rows,
-         below.data(),
-         &one,
-         &unity,
-         &x[node.first],
-         &one);
+  Teuchos::BLAS<int, double>().GEMV(Teuchos::TRANS,
+                                    n_below,
+                                    n_columns,
+                                    -1.,
+                                    node.values + n_columns,
+                                    node.n_rows,
+                                    below.data(),
+                                    1,
+                                    1.,
+                                    &x[node.first],
+                                    1);
   dtrsv_(
     "L", "T", "N", &n_columns, node.values, &node.n_rows, &x[node.first], &one);
 }

@@ -175,12 +175,14 @@ CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
   mending.correction = [&](const LA::Vector &rest) {
     return solve_for(condense(*base, rest), {}, false);
   };
-  const double scale = mending.norm(mending.rest_of(prescribed));
+  LA::Vector loads   = mending.rest_of(prescribed);
+  const double scale = mending.norm(loads);
   check_loads(scale);
   LA::Vector beyond_cut = prescribed;
   const auto opening    = take_opening(beyond_cut);
-  LA::Vector x =
-    solve_for(condense(*base, mending.rest_of(beyond_cut)), opening, true);
+  if (!opening.empty())
+    loads = mending.rest_of(beyond_cut);
+  LA::Vector x = solve_for(condense(*base, loads), opening, true);
   x += beyond_cut;
   // Less than this is lost in the products of K x already.
   const double round_off =
