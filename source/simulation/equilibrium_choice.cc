@@ -125,12 +125,9 @@ EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
   if (condensed && condensed->set_constraints(held))
     return condensed;
   condensed.reset();
-  SolverParameters parameters = scene.solver;
-  if (scene.division.solve == DivisionParameters::Solve::iterative)
-    parameters.method = SolverParameters::Method::iterative;
   // What has failed once is not tried again.
   ladder = std::make_shared<EquilibriumLadder<dim>>(
-    model, held, parameters, ladder && ladder->has_fallen_back());
+    model, held, scene.solver, ladder && ladder->has_fallen_back());
   return ladder;
 }
 

@@ -129,6 +129,18 @@ check_supports(const Parameters &parameters,
                           text.str() + " they do not");
     }
 }
+
+
+
+/** Division/Solve can be that everything is solved by iterations. */
+SolverParameters
+solver_of(const Parameters &parameters, const DivisionParameters &division)
+{
+  SolverParameters solver(parameters);
+  if (division.solve == DivisionParameters::Solve::iterative)
+    solver.method = SolverParameters::Method::iterative;
+  return solver;
+}
 } // namespace
 
 
@@ -146,7 +158,7 @@ Scene<dim>::Scene(const Parameters &parameters)
   , yield(parameters)
   , division(parameters)
   , accuracy(parameters)
-  , solver(parameters)
+  , solver(solver_of(parameters, division))
   , output(parameters)
 {
   check_supports(parameters, body, supports);
