@@ -86,8 +86,9 @@ template <int dim>
 std::string
 describe_solve(const CutBody<dim> &body)
 {
-  if (!body.is_condensed())
-    return "  every row is solved anew, " + body.why_anew() + ".";
+  const std::string why_anew = body.why_anew();
+  if (!why_anew.empty())
+    return "  every row is solved anew, " + why_anew + ".";
   return std::string("  all rows are solved from one factorization, condensed "
                      "onto the cut, ") +
          (body.is_foreseen() ? "in the order in which they split."

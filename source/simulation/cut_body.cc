@@ -1,4 +1,5 @@
 #include <setsudan/body/pieces.h>
+#include <setsudan/cut/loose_ties.h>
 #include <setsudan/cut/mesh_surgery.h>
 #include <setsudan/cut/near_cut.h>
 #include <setsudan/cut/sides.h>
@@ -147,18 +148,18 @@ CutBody<dim>::why_anew() const
 
 template <int dim>
 bool
-CutBody<dim>::is_condensed() const
+CutBody<dim>::is_foreseen() const
 {
-  return why_anew().empty();
+  return why_anew().empty() && choice.is_foreseen(all_held());
 }
 
 
 
 template <int dim>
 bool
-CutBody<dim>::is_foreseen() const
+CutBody<dim>::all_held() const
 {
-  return is_condensed() && choice.is_foreseen(motions && motions->all_held());
+  return motions && motions->all_held();
 }
 
 
@@ -180,7 +181,7 @@ CutBody<dim>::equilibrium_under(AffineConstraints<double> &&constraints)
     *model,
     seams.empty() ? nullptr : &seam(),
     std::move(constraints),
-    motions && motions->all_held(),
+    all_held(),
     {[&] { return constraints_of(seams.size() - 1); },
      [&](const auto &visit) { for_each_row_to_come(visit); }});
 }
@@ -231,7 +232,7 @@ CutBody<dim>::equilibrium_without(const unsigned int row)
   const Seam<dim> present = seam();
   seam().set_row_state(row, Seam<dim>::State::free);
   std::size_t n_loose = 0;
-  if (!motions->all_held())
+  if (!all_held())
     for (const auto &group : motions->find_loose(seam().links(parts)))
       n_loose += group.loose.size();
   auto without = constraints();
@@ -276,7 +277,7 @@ CutBody<dim>::find_loose_pieces()
     return std::find(known.begin(), known.end(), piece) != known.end();
   };
   const bool drops = scene.supports.drop_loose_pieces();
-  bool more        = !motions->all_held();
+  bool more        = !all_held();
   while (more)
     {
       const std::size_t n_before = loose_pieces.size();
@@ -288,7 +289,7 @@ CutBody<dim>::find_loose_pieces()
           if (drops || std::all_of(loose.begin(), loose.end(), is_known))
             continue;
           check_loads_on_loose_group(*model, parts, group);
-          check_ties_of_loose_group(group);
+          check_ties_of_loose_group(seam(), parts, group, cut().edge.direction);
         }
       // A piece that is left out holds no others, which may be loose now.
       more = drops && loose_pieces.size() > n_before;
@@ -312,32 +313,6 @@ CutBody<dim>::drop(const std::vector<LoosePiece> &loose)
       remove_loads_from_piece(parts, piece, *model);
     }
   seam().leave_out(parts, numbers);
-}
-
-
-
-template <int dim>
-void
-CutBody<dim>::check_ties_of_loose_group(const LooseGroup<dim> &group) const
-{
-  for (unsigned int p = 0; p < seam().pairs().size(); ++p)
-    {
-      const auto &pair = seam().pairs()[p];
-      const auto body  = std::find(
-        group.pieces.begin(), group.pieces.end(), parts[pair.element]);
-      if (!pair.is_double() || seam().state(p) != Seam<dim>::State::tied ||
-          body == group.pieces.end())
-        continue;
-      auto form = group.held.zero();
-      group.held.add_displacement(
-        body - group.pieces.begin(), pair.position, cut().edge.direction, form);
-      if (group.held.unheld_part(form).l2_norm() > 1e-6)
-        throw std::runtime_error(
-          "The cut goes on through piece " + std::to_string(*body) +
-          ", which it has severed and which has no support to press it "
-          "against. Hold it in subsection Support, or set Support/Loose pieces "
-          "= drop.");
-    }
 }
 
 

@@ -102,7 +102,7 @@ repeat_preparation(const Scene<dim> &scene,
                    const unsigned int row,
                    CutBody<dim> &body)
 {
-  if (!body.is_condensed() || body.is_left_out(row))
+  if (!body.why_anew().empty() || body.is_left_out(row))
     return;
   body.equilibrium();
   if (scene.yield.needs_seam())

@@ -79,18 +79,14 @@ public:
   std::shared_ptr<EquilibriumSolver>
   equilibrium();
 
-  /** Whether all rows of the newest cut are solved from one factorization. */
-  bool
-  is_condensed() const;
+  /** Why the rows of the newest cut are not all solved from one factorization,
+   * in words that follow "every row is solved anew"; empty where they are. */
+  std::string
+  why_anew() const;
 
   /** Whether they are factored at once, before they split. */
   bool
   is_foreseen() const;
-
-  /** Why they are not solved from one, in words that follow "every row is
-   * solved anew"; empty where they are. */
-  std::string
-  why_anew() const;
 
   /** Do not prepare for more than one state of a cut. */
   void
@@ -126,6 +122,10 @@ public:
   ElementLabels labels;
 
 private:
+  /** Whether no piece can come loose. */
+  bool
+  all_held() const;
+
   /** Find the pieces that are loose now, and hold or drop them. */
   void
   find_loose_pieces();
@@ -150,10 +150,6 @@ private:
 
   std::shared_ptr<EquilibriumSolver>
   equilibrium_under(dealii::AffineConstraints<double> &&constraints);
-
-  /** Refuse to go on where the blade presses on a loose group. */
-  void
-  check_ties_of_loose_group(const LooseGroup<dim> &group) const;
 
   /** A cut that has been begun, and the faces that it opens. */
   struct BegunCut
