@@ -24,11 +24,11 @@ openblas(const char *const name)
   return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
 }
 
-int
-n_blas_threads()
+void
+set_n_threads(const unsigned int n)
 {
-  const auto n_threads = openblas<int()>("openblas_get_num_threads");
-  return n_threads != nullptr ? n_threads() : 1;
+  if (const auto set = openblas<void(int)>("openblas_set_num_threads"))
+    set(n);
 }
 } // namespace
 
@@ -82,9 +82,7 @@ start_with_fitting_blas(char **argv)
 void
 share_cores(const unsigned int n_processes_here)
 {
-  const auto set_n_threads = openblas<void(int)>("openblas_set_num_threads");
-  if (set_n_threads == nullptr || n_processes_here <= 1 ||
-      std::getenv("OPENBLAS_NUM_THREADS") != nullptr ||
+  if (n_processes_here <= 1 || std::getenv("OPENBLAS_NUM_THREADS") != nullptr ||
       std::getenv("OMP_NUM_THREADS") != nullptr)
     return;
   const unsigned int n_cores = std::thread::hardware_concurrency();
@@ -93,15 +91,39 @@ share_cores(const unsigned int n_processes_here)
 
 
 
+unsigned int
+n_threads()
+{
+  const auto get = openblas<int()>("openblas_get_num_threads");
+  return get != nullptr ? std::max(1, get()) : 1;
+}
+
+
+
+SingleThreadedBlas::SingleThreadedBlas()
+  : n_before(n_threads())
+{
+  set_n_threads(1);
+}
+
+
+
+SingleThreadedBlas::~SingleThreadedBlas()
+{
+  set_n_threads(n_before);
+}
+
+
+
 std::string
 describe_blas()
 {
   const std::string core = blas_core();
-  const int n_threads    = n_blas_threads();
+  const unsigned int n   = n_threads();
   const std::string blas = core.empty() ? "a BLAS that is not OpenBLAS"
                                         : "OpenBLAS with kernels for " + core;
-  return "Linear algebra: " + blas + ", " + std::to_string(n_threads) +
-         (n_threads == 1 ? " thread" : " threads") +
-         "; elements: kernels for " + stiffness_kernel<3>().name + ".";
+  return "Linear algebra: " + blas + ", " + std::to_string(n) +
+         (n == 1 ? " thread" : " threads") + "; elements: kernels for " +
+         stiffness_kernel<3>().name + ".";
 }
 } // namespace Setsudan

@@ -5,6 +5,7 @@
 #include <Teuchos_BLAS.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 /** BLAS's solve for one right-hand side, which has no wrapper. */
 extern "C" void
@@ -40,15 +41,36 @@ struct CholeskyFactor::Workspace
 
 
 
+namespace
+{
+std::vector<unsigned int>
+all_unknowns(const LA::SparseMatrix &matrix)
+{
+  std::vector<unsigned int> unknowns(matrix.m());
+  std::iota(unknowns.begin(), unknowns.end(), 0);
+  return unknowns;
+}
+} // namespace
+
+
+CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix)
+  : CholeskyFactor(matrix, all_unknowns(matrix), {}, 0.)
+{
+}
+
+
+
 CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
+                               const std::vector<unsigned int> &first,
                                const std::vector<unsigned int> &last,
                                const double shift)
   : workspace(std::make_unique<Workspace>())
   , n_at_end(last.size())
+  , place(matrix.m(), -1)
 {
   auto &common = workspace->common;
-  order        = order_of_elimination(matrix, last, common);
-  std::vector<int> place(order.size());
+  order        = order_of_elimination(matrix, first, common);
+  order.insert(order.end(), last.begin(), last.end());
   for (unsigned int i = 0; i < order.size(); ++i)
     place[order[i]] = i;
 
@@ -84,10 +106,10 @@ CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
 CholeskyFactor::~CholeskyFactor() = default;
 
 
-unsigned int
-CholeskyFactor::n_last() const
+double
+CholeskyFactor::n_entries() const
 {
-  return n_at_end;
+  return workspace->factor->xsize;
 }
 
 
@@ -214,17 +236,67 @@ CholeskyFactor::eliminate(std::vector<double> &x) const
 
 
 void
+CholeskyFactor::recover_supernode(const unsigned int number,
+                                  std::vector<double> &x,
+                                  std::vector<double> &below) const
+{
+  const Supernode node(*workspace->factor, number);
+  const int end = order.size() - n_at_end;
+  if (node.first < end)
+    solve_upper(node, std::min(node.n_columns, end - node.first), x, below);
+}
+
+
+
+void
 CholeskyFactor::recover(std::vector<double> &x) const
 {
-  const cholmod_factor &factor = *workspace->factor;
-  const int end                = order.size() - n_at_end;
   std::vector<double> below(order.size());
-  for (unsigned int s = factor.nsuper; s-- > 0;)
+  for (unsigned int s = workspace->factor->nsuper; s-- > 0;)
+    recover_supernode(s, x, below);
+}
+
+
+
+CholeskyFactor::Steps
+CholeskyFactor::steps_for(const std::vector<unsigned int> &wanted) const
+{
+  const cholmod_factor &factor = *workspace->factor;
+  const auto *const firsts     = static_cast<const int *>(factor.super);
+  std::vector<bool> is_taken(factor.nsuper, false);
+  for (const unsigned int unknown : wanted)
     {
-      const Supernode node(factor, s);
-      if (node.first < end)
-        solve_upper(node, std::min(node.n_columns, end - node.first), x, below);
+      // A column depends on those of the rows below its diagonal, which are all
+      // on the way to the root: each supernode's first row below is its parent.
+      int column = place[unknown];
+      while (column >= 0)
+        {
+          const unsigned int s =
+            std::upper_bound(firsts, firsts + factor.nsuper, column) - firsts -
+            1;
+          if (is_taken[s])
+            break;
+          is_taken[s] = true;
+          const Supernode node(factor, s);
+          column =
+            node.n_columns < node.n_rows ? node.rows[node.n_columns] : -1;
+        }
     }
+  Steps steps;
+  for (unsigned int s = factor.nsuper; s-- > 0;)
+    if (is_taken[s])
+      steps.push_back(s);
+  return steps;
+}
+
+
+
+void
+CholeskyFactor::recover(std::vector<double> &x, const Steps &steps) const
+{
+  std::vector<double> below(order.size());
+  for (const unsigned int s : steps)
+    recover_supernode(s, x, below);
 }
 
 

@@ -7,8 +7,7 @@ CholeskySolver::initialize(const LA::SparseMatrix &matrix,
                            const std::vector<std::vector<double>> &)
 {
   factor.reset();
-  factor =
-    std::make_unique<CholeskyFactor>(matrix, std::vector<unsigned int>(), 0.);
+  factor = std::make_unique<CholeskyFactor>(matrix);
 }
 
 

@@ -10,21 +10,6 @@ namespace Setsudan
 {
 using namespace dealii;
 
-namespace
-{
-/** A shift that makes even a body definite that only its cut holds: of the size
- * of the stiffness there, so that taking it off again loses no digits. */
-double
-shift_of(const LA::SparseMatrix &matrix, const std::vector<unsigned int> &cut)
-{
-  double sum = 0;
-  for (const unsigned int unknown : cut)
-    sum += matrix.diag_element(unknown);
-  return cut.empty() ? 0 : sum / cut.size();
-}
-} // namespace
-
-
 template <int dim>
 CondensedEquilibrium<dim>::CondensedEquilibrium(
   ElasticModel<dim> &model,
@@ -38,11 +23,9 @@ CondensedEquilibrium<dim>::CondensedEquilibrium(
       cut.push_back(unknown);
   LA::SparseMatrix matrix;
   assemble_stiffness(model.discretization, model.stiffness, *base, matrix);
-  largest_entry      = matrix.linfty_norm();
-  const double shift = shift_of(matrix, cut);
-  factor             = std::make_unique<CholeskyFactor>(matrix, cut, shift);
-  complement         = std::make_unique<SchurComplement>(*factor, shift);
-  reduced            = std::make_unique<ReducedCut>(cut, *complement);
+  largest_entry = matrix.linfty_norm();
+  condensation  = std::make_unique<Condensation>(matrix, cut);
+  reduced       = std::make_unique<ReducedCut>(cut, condensation->stiffness());
 }
 
 
@@ -80,28 +63,28 @@ CondensedEquilibrium<dim>::memory(const unsigned int n)
 
 
 template <int dim>
-void
-CondensedEquilibrium<dim>::eliminate(std::vector<double> &ordered,
+Condensation::Eliminated
+CondensedEquilibrium<dim>::eliminate(const LA::Vector &loads,
                                      const bool is_remembered)
 {
   if (!is_remembered)
-    {
-      factor->eliminate(ordered);
-      return;
-    }
+    return condensation->eliminate(loads);
   // From row to row the loads differ on the cut alone.
-  const auto end = ordered.end() - cut.size();
-  const std::vector<double> of_cut(end, ordered.end());
-  std::fill(end, ordered.end(), 0.);
-  if (ordered != remembered_loads)
+  LA::Vector off_cut = loads;
+  double *const here = off_cut.trilinos_vector()[0];
+  for (const unsigned int unknown : cut)
+    here[unknown] = 0;
+  if (remembered_loads.size() == 0 ||
+      !std::equal(
+        here, here + off_cut.size(), remembered_loads.trilinos_vector()[0]))
     {
-      remembered_loads = ordered;
-      factor->eliminate(ordered);
-      remembered = std::move(ordered);
+      remembered       = condensation->eliminate(off_cut);
+      remembered_loads = off_cut;
     }
-  ordered = remembered;
+  Condensation::Eliminated eliminated = remembered;
   for (unsigned int i = 0; i < cut.size(); ++i)
-    ordered[ordered.size() - cut.size() + i] += of_cut[i];
+    eliminated.on_cut[i] += loads.trilinos_vector()[0][cut[i]];
+  return eliminated;
 }
 
 
@@ -112,24 +95,20 @@ CondensedEquilibrium<dim>::solve_for(const LA::Vector &b,
                                      const std::vector<double> &opening,
                                      const bool is_remembered)
 {
-  auto ordered = factor->in_order(b);
-  eliminate(ordered, is_remembered);
-  double *const last = ordered.data() + ordered.size() - cut.size();
+  auto eliminated = eliminate(b, is_remembered);
   if (!opening.empty())
     {
-      const auto resistance = complement->multiply(opening);
+      const auto resistance = condensation->stiffness().multiply(opening);
       for (unsigned int i = 0; i < cut.size(); ++i)
-        last[i] -= resistance[i];
+        eliminated.on_cut[i] -= resistance[i];
     }
 
-  auto of_cut = reduced->displacement(last);
+  auto of_cut = reduced->displacement(eliminated.on_cut.data());
   if (!opening.empty())
     for (unsigned int i = 0; i < cut.size(); ++i)
       of_cut[i] += opening[i];
-  std::copy(of_cut.begin(), of_cut.end(), last);
-  factor->recover(ordered);
   LA::Vector x = b;
-  factor->from_order(ordered, x);
+  condensation->recover(std::move(eliminated), of_cut, x);
   base->distribute(x);
   return x;
 }

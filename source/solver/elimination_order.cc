@@ -4,6 +4,7 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 
 namespace Setsudan
@@ -40,7 +41,7 @@ lower_triangle(const LA::SparseMatrix &matrix,
             {
               const int other = place[view.columns[e]];
               // The matrix is symmetric: each entry below is met once.
-              if (other >= place[row] && view.values[e] != 0)
+              if (other >= place[row])
                 visit(place[row], other, view.values[e]);
             }
         }
@@ -69,24 +70,21 @@ lower_triangle(const LA::SparseMatrix &matrix,
 
 std::vector<int>
 order_of_elimination(const LA::SparseMatrix &matrix,
-                     const std::vector<unsigned int> &last,
+                     const std::vector<unsigned int> &unknowns,
                      cholmod_common &common)
 {
-  std::vector<int> place(matrix.m(), 0);
-  for (const unsigned int unknown : last)
-    place[unknown] = -1;
-  std::vector<int> interior;
-  for (unsigned int unknown = 0; unknown < place.size(); ++unknown)
-    if (place[unknown] == 0)
-      {
-        place[unknown] = interior.size();
-        interior.push_back(unknown);
-      }
-  std::vector<int> order(interior.size());
-  if (!interior.empty())
+  std::vector<int> place(matrix.m(), -1);
+  for (unsigned int i = 0; i < unknowns.size(); ++i)
+    place[unknowns[i]] = i;
+  std::vector<int> order(unknowns.size());
+  if (!unknowns.empty())
     {
       cholmod_sparse *graph =
-        lower_triangle(matrix, place, interior.size(), common);
+        lower_triangle(matrix, place, unknowns.size(), common);
+      // METIS draws from C's random numbers, which threads share: one at a time
+      // finds the same order in every run.
+      static std::mutex one_at_a_time;
+      const std::lock_guard<std::mutex> lock(one_at_a_time);
       const bool found =
         cholmod_metis(graph, nullptr, 0, true, order.data(), &common);
       cholmod_free_sparse(&graph, &common);
@@ -94,8 +92,7 @@ order_of_elimination(const LA::SparseMatrix &matrix,
         throw SolverError("METIS found no order of elimination.");
     }
   for (int &unknown : order)
-    unknown = interior[unknown];
-  order.insert(order.end(), last.begin(), last.end());
+    unknown = unknowns[unknown];
   return order;
 }
 } // namespace Setsudan

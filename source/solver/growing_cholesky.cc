@@ -14,8 +14,8 @@ using namespace dealii;
 
 GrowingCholesky::GrowingCholesky(const unsigned int most)
   : most(most)
-  , factor(std::size_t(most) * most)
 {
+  factor.resize_fast(std::size_t(most) * most);
 }
 
 

@@ -39,6 +39,23 @@ start_with_fitting_blas(char **argv);
 void
 share_cores(const unsigned int n_processes_here);
 
+/** The threads that the BLAS may use, which the rest may, too. */
+unsigned int
+n_threads();
+
+/** As long as it lives the BLAS uses one thread, so that others can call it. */
+class SingleThreadedBlas
+{
+public:
+  SingleThreadedBlas();
+  ~SingleThreadedBlas();
+
+  SingleThreadedBlas(const SingleThreadedBlas &) = delete;
+
+private:
+  const unsigned int n_before;
+};
+
 /** The BLAS, its kernels and threads, and our own kernels, in one line. */
 std::string
 describe_blas();

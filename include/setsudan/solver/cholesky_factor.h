@@ -20,27 +20,35 @@ class CholeskyFactor
 {
 public:
   /**
-   * @param last  the unknowns that come last, ascending.
+   * Of a part of a matrix, whose other unknowns have nothing to do with it.
+   *
+   * @param first the unknowns that METIS orders, ascending.
+   * @param last  those that come last, in this order.
    * @param shift what is added to their entries of the diagonal.
    * @throw SolverError where the matrix is not positive definite, or memory
    *   runs out.
    */
   CholeskyFactor(const LA::SparseMatrix &matrix,
+                 const std::vector<unsigned int> &first,
                  const std::vector<unsigned int> &last,
                  const double shift);
 
-  ~CholeskyFactor();
+  /** Of a whole matrix. */
+  explicit CholeskyFactor(const LA::SparseMatrix &matrix);
 
-  unsigned int
-  n_last() const;
+  ~CholeskyFactor();
 
   /** A vector in the order of elimination. */
   std::vector<double>
   in_order(const LA::Vector &vector) const;
 
-  /** The opposite of in_order(). */
+  /** The opposite of in_order(); unknowns of other parts stay. */
   void
   from_order(const std::vector<double> &ordered, LA::Vector &vector) const;
+
+  /** Entries of L. */
+  double
+  n_entries() const;
 
   /** Eliminate all but the last unknowns: of a right-hand side b in the order
    * of elimination make L^-1 b, and at its end what is left for the last. */
@@ -52,6 +60,17 @@ public:
   void
   recover(std::vector<double> &x) const;
 
+  /** The steps of recover() that some unknowns need. */
+  using Steps = std::vector<unsigned int>;
+
+  /** @param wanted unknowns, of which those of other parts are ignored. */
+  Steps
+  steps_for(const std::vector<unsigned int> &wanted) const;
+
+  /** Recover some unknowns; others get no values of use. */
+  void
+  recover(std::vector<double> &x, const Steps &steps) const;
+
   /** L of the last unknowns, n_last x n_last by columns, 0 above the
    * diagonal. */
   std::vector<double>
@@ -59,9 +78,19 @@ public:
 
 private:
   struct Workspace;
+
+  /** Take a step of recover(). */
+  void
+  recover_supernode(const unsigned int number,
+                    std::vector<double> &x,
+                    std::vector<double> &below) const;
+
   std::unique_ptr<Workspace> workspace;
   /** The unknown that is eliminated at each place. */
   std::vector<int> order;
-  unsigned int n_at_end;
+  const unsigned int n_at_end;
+  /** Where each unknown of the matrix is in the order; -1 for those of other
+   * parts. */
+  std::vector<int> place;
 };
 } // namespace Setsudan

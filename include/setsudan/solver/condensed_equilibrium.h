@@ -1,6 +1,7 @@
 #pragma once
 
 #include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/solver/condensation.h>
 #include <setsudan/solver/equilibrium_solver.h>
 #include <setsudan/solver/reduced_cut.h>
 
@@ -58,10 +59,10 @@ public:
   memory(const unsigned int n_unknowns_of_cut);
 
 private:
-  /** CholeskyFactor::eliminate(), or what it made of the last loads that are
+  /** Condensation::eliminate(), or what it made of the last loads that are
    * remembered, where they are the same but for those on the cut. */
-  void
-  eliminate(std::vector<double> &ordered, const bool is_remembered);
+  Condensation::Eliminated
+  eliminate(const LA::Vector &loads, const bool is_remembered);
 
   /** The displacement that forces give, both obeying `base`, and the
    * displacement but for the `opening` the step.
@@ -95,12 +96,12 @@ private:
   std::shared_ptr<const Constraints> step;
   /** The unknowns of the cut that `base` leaves free, ascending. */
   std::vector<unsigned int> cut;
-  std::unique_ptr<CholeskyFactor> factor;
-  std::unique_ptr<SchurComplement> complement;
+  std::unique_ptr<Condensation> condensation;
   std::unique_ptr<ReducedCut> reduced;
   /** The largest sum of a row of the stiffness. */
   double largest_entry = 0;
-  std::vector<double> remembered_loads, remembered;
+  LA::Vector remembered_loads;
+  Condensation::Eliminated remembered;
   SolveQuality quality;
   /** The displacement for a residual of 1, and the largest displacement for
    * loads of size 1, when the quality was last looked at closely. */

@@ -23,13 +23,14 @@ lower_triangle(const LA::SparseMatrix &matrix,
                cholmod_common &common);
 
 /**
- * The unknowns in an order in which their elimination leaves few entries, by
- * METIS.
+ * Some unknowns of a matrix in an order in which their elimination leaves few
+ * entries, by METIS. Entries that are 0 count: so the unknowns of a node have
+ * the same neighbors, and METIS takes them as one.
  *
- * @param last those that shall come last, in their order.
+ * @param unknowns ascending.
  */
 std::vector<int>
 order_of_elimination(const LA::SparseMatrix &matrix,
-                     const std::vector<unsigned int> &last,
+                     const std::vector<unsigned int> &unknowns,
                      cholmod_common &common);
 } // namespace Setsudan

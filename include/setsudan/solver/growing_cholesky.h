@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/base/aligned_vector.h>
+
 #include <functional>
 #include <vector>
 
@@ -38,7 +40,8 @@ public:
 private:
   const unsigned int most;
   unsigned int n = 0;
-  /** By columns of length `most`; below the diagonal. */
-  std::vector<double> factor;
+  /** By columns of length `most`; from the diagonal on. The rest is not
+   * written, so that it takes no memory. */
+  dealii::AlignedVector<double> factor;
 };
 } // namespace Setsudan

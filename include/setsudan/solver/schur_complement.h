@@ -1,45 +1,46 @@
 #pragma once
 
-#include <setsudan/solver/cholesky_factor.h>
-
 #include <vector>
 
 namespace Setsudan
 {
 /**
- * What the last unknowns of a factor are to each other once the others are
- * eliminated, S = L L^T of its last block without the shift. Unknowns that have
- * nothing to do with each other, as those of two bodies, are in dense blocks of
- * their own.
+ * What the unknowns of a cut are to each other once all others are eliminated.
+ * Those that have nothing to do with each other, as the two sides of a cut, are
+ * in dense blocks of their own.
  */
 class SchurComplement
 {
 public:
-  SchurComplement(const CholeskyFactor &factor, const double shift);
+  /** Some unknowns, ascending, and what they are to each other, by columns. */
+  struct Block
+  {
+    std::vector<unsigned int> members;
+    std::vector<double> values;
+  };
+
+  /**
+   * The block S = L L^T - shift of a Cholesky factor.
+   *
+   * @param lower L by columns, 0 above the diagonal.
+   */
+  static Block
+  square(const std::vector<unsigned int> &members,
+         std::vector<double> &&lower,
+         const double shift);
+
+  /** @param blocks which hold each unknown from 0 on once. */
+  explicit SchurComplement(std::vector<Block> &&blocks);
 
   double
   operator()(const unsigned int i, const unsigned int j) const;
 
-  /** S x. */
+  /** S x; x may have few entries that are not 0. */
   std::vector<double>
   multiply(const std::vector<double> &x) const;
 
 private:
-  struct Block
-  {
-    std::vector<unsigned int> members;
-    /** By columns; all of it. */
-    std::vector<double> complement;
-  };
-
-  void
-  find_blocks(const std::vector<double> &last, const unsigned int n);
-
-  /** From L to S of a block. */
-  void
-  square(Block &block, const double shift) const;
-
-  std::vector<Block> blocks;
+  const std::vector<Block> blocks;
   /** Where each unknown is. */
   std::vector<unsigned int> block_of, place_in_block;
 };
