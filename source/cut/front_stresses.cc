@@ -2,7 +2,7 @@
 #include <setsudan/cut/process_zone.h>
 #include <setsudan/elasticity/strain_recovery.h>
 
-#include <map>
+#include <memory>
 
 namespace Setsudan
 {
@@ -27,46 +27,41 @@ template <int dim>
 FrontStresses
 stresses_at_nodes(const ElasticModel<dim> &model,
                   const Seam<dim> &seam,
+                  const SeamCells<dim> &cells,
                   const Row &row,
                   const LA::Vector &displacement,
                   const RecoveredStress<dim> *recovered)
 {
-  std::map<types::global_dof_index, Tensor<1, 3>> normals;
-  for (const unsigned int p : row.front)
-    {
-      const NodePair<dim> &pair = seam.pairs()[p];
-      normals[pair.minus[0]]    = in_space(pair.normal);
-      normals[pair.plus[0]]     = in_space(pair.normal);
-    }
-
   const auto &discretization = model.discretization;
-  StrainRecovery<dim> recovery(discretization,
-                               model.materials,
-                               node_points(discretization),
-                               recovered ? update_values : update_default);
+  std::unique_ptr<StrainRecovery<dim>> recovery;
+  if (recovered)
+    recovery =
+      std::make_unique<StrainRecovery<dim>>(discretization,
+                                            model.materials,
+                                            node_points(discretization),
+                                            update_values);
+  const auto stresses_of = [&](const typename SeamCells<dim>::Meeting &at) {
+    if (!recovery)
+      return cells.stresses(at.cell, at.nodes, displacement);
+    recovery->reinit(at.cell, displacement);
+    const auto of_cell = stresses_of_cell(at.cell, *recovery, recovered);
+    std::vector<SymmetricTensor<2, 3>> of_nodes;
+    for (const unsigned int node : at.nodes)
+      of_nodes.push_back(of_cell[node]);
+    return of_nodes;
+  };
   FrontStresses stresses;
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        std::vector<SymmetricTensor<2, 3>> of_cell;
-        const auto nodes = discretization.node_indices(cell);
-        for (unsigned int node = 0; node < nodes.size(); ++node)
-          {
-            const auto normal = normals.find(nodes[node][0]);
-            if (normal == normals.end())
-              continue;
-            if (of_cell.empty())
-              {
-                recovery.reinit(cell, displacement);
-                of_cell = stresses_of_cell(cell, recovery, recovered);
-              }
-            stresses.samples.push_back(
-              {of_cell[node],
-               model.materials.of_element(discretization.element(cell))
-                 .shear_limit,
-               normal->second});
-          }
-      }
+  for (const auto &at : cells.at_front(row))
+    {
+      const auto of_nodes = stresses_of(at);
+      const double shear_limit =
+        model.materials.of_element(discretization.element(at.cell)).shear_limit;
+      for (unsigned int i = 0; i < of_nodes.size(); ++i)
+        stresses.samples.push_back(
+          {of_nodes[i],
+           shear_limit,
+           in_space(seam.pairs()[at.pairs[i]].normal)});
+    }
   return stresses;
 }
 } // namespace
@@ -76,13 +71,14 @@ template <int dim>
 FrontStresses
 front_stresses(const ElasticModel<dim> &model,
                const Seam<dim> &seam,
+               const SeamCells<dim> &cells,
                const Row &row,
                const YieldParameters &yield,
                const LA::Vector &displacement,
                const RecoveredStress<dim> *recovered)
 {
   if (yield.criterion != YieldParameters::Criterion::mean_shear)
-    return stresses_at_nodes(model, seam, row, displacement, recovered);
+    return stresses_at_nodes(model, seam, cells, row, displacement, recovered);
   std::vector<Point<dim>> centers;
   for (const unsigned int p : row.front)
     centers.push_back(seam.pairs()[p].position);
@@ -95,6 +91,7 @@ front_stresses(const ElasticModel<dim> &model,
 template FrontStresses
 front_stresses(const ElasticModel<2> &,
                const Seam<2> &,
+               const SeamCells<2> &,
                const Row &,
                const YieldParameters &,
                const LA::Vector &,
@@ -102,6 +99,7 @@ front_stresses(const ElasticModel<2> &,
 template FrontStresses
 front_stresses(const ElasticModel<3> &,
                const Seam<3> &,
+               const SeamCells<3> &,
                const Row &,
                const YieldParameters &,
                const LA::Vector &,

@@ -48,6 +48,7 @@ void
 CutBody<dim>::rebuild()
 {
   choice.forget();
+  cells_at_seam.reset();
   model = std::make_unique<ElasticModel<dim>>(mesh,
                                               refinement,
                                               scene.body,
@@ -101,6 +102,7 @@ CutBody<dim>::approach(const Cut<dim> &cut)
   split = split_mesh(mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
+  cells_at_seam.reset();
   seams.push_back(make_seam(begun_cuts.back(), split));
   return true;
 }
@@ -340,6 +342,17 @@ const Seam<dim> &
 CutBody<dim>::seam() const
 {
   return seams.back();
+}
+
+
+
+template <int dim>
+const SeamCells<dim> &
+CutBody<dim>::seam_cells() const
+{
+  if (!cells_at_seam)
+    cells_at_seam = std::make_unique<SeamCells<dim>>(*model, seam());
+  return *cells_at_seam;
 }
 
 

@@ -18,6 +18,7 @@ judge_by_stress(const Scene<dim> &scene,
   const auto stresses_of = [&](const LA::Vector &displacement) {
     return front_stresses(*body.model,
                           body.seam(),
+                          body.seam_cells(),
                           body.seam().rows()[row],
                           scene.yield,
                           body.model->discretization.with_ghosts(displacement));

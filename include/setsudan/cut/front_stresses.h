@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/cut/seam.h>
+#include <setsudan/cut/seam_cells.h>
 #include <setsudan/cut/yield_parameters.h>
 #include <setsudan/elasticity/recovered_stress.h>
 
@@ -35,6 +35,7 @@ struct FrontStresses
  * The stresses at the nodes of a row's front, one for each cell that meets
  * there, or those in process zones around them.
  *
+ * @param cells        those that meet the seam.
  * @param displacement with ghosts.
  * @param recovered the stress to take instead of the elements' own, or nothing.
  * @throw std::runtime_error where a process zone is too small for the cells.
@@ -43,6 +44,7 @@ template <int dim>
 FrontStresses
 front_stresses(const ElasticModel<dim> &model,
                const Seam<dim> &seam,
+               const SeamCells<dim> &cells,
                const Row &row,
                const YieldParameters &yield,
                const LA::Vector &displacement,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/cut/row_areas.h>
-#include <setsudan/cut/seam.h>
+#include <setsudan/cut/seam_cells.h>
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/elasticity/piece_motions.h>
 #include <setsudan/output/frames.h>
@@ -69,6 +69,10 @@ public:
   seam();
   const Seam<dim> &
   seam() const;
+
+  /** The cells that meet the newest seam. */
+  const SeamCells<dim> &
+  seam_cells() const;
 
   /** Supports, hanging nodes, the seams and what holds loose pieces; closed. */
   dealii::AffineConstraints<double>
@@ -174,6 +178,8 @@ private:
   /** What the pieces will be when the newest cut has gone through. */
   std::vector<unsigned int> parts;
   std::unique_ptr<PieceMotions<dim>> motions;
+  /** Found when somebody asks. */
+  mutable std::unique_ptr<SeamCells<dim>> cells_at_seam;
   /** What the newest cut's rows open; empty until somebody asks. */
   std::vector<RowArea> areas;
 };
