@@ -64,6 +64,18 @@ stresses_at_nodes(const ElasticModel<dim> &model,
     }
   return stresses;
 }
+
+
+
+template <int dim>
+std::vector<Point<dim>>
+positions(const Seam<dim> &seam, const Row &row)
+{
+  std::vector<Point<dim>> result;
+  for (const unsigned int pair : row.front)
+    result.push_back(seam.pairs()[pair].position);
+  return result;
+}
 } // namespace
 
 
@@ -79,11 +91,35 @@ front_stresses(const ElasticModel<dim> &model,
 {
   if (yield.criterion != YieldParameters::Criterion::mean_shear)
     return stresses_at_nodes(model, seam, cells, row, displacement, recovered);
-  std::vector<Point<dim>> centers;
-  for (const unsigned int p : row.front)
-    centers.push_back(seam.pairs()[p].position);
   return stresses_in_zones(
-    model, centers, yield.process_zone, displacement, recovered);
+    model, positions(seam, row), yield.process_zone, displacement, recovered);
+}
+
+
+
+template <int dim>
+std::vector<unsigned int>
+unknowns_near_front(const ElasticModel<dim> &model,
+                    const Seam<dim> &seam,
+                    const SeamCells<dim> &cells,
+                    const Row &row,
+                    const YieldParameters &yield)
+{
+  std::vector<typename Discretization<dim>::Cell> near;
+  if (yield.criterion == YieldParameters::Criterion::mean_shear)
+    near = cells_near_zones(model, positions(seam, row), yield.process_zone);
+  else
+    for (const auto &at : cells.at_front(row))
+      near.push_back(at.cell);
+  std::vector<unsigned int> unknowns;
+  std::vector<types::global_dof_index> indices(
+    model.discretization.fe.n_dofs_per_cell());
+  for (const auto &cell : near)
+    {
+      cell->get_dof_indices(indices);
+      unknowns.insert(unknowns.end(), indices.begin(), indices.end());
+    }
+  return unknowns;
 }
 
 
@@ -96,6 +132,12 @@ front_stresses(const ElasticModel<2> &,
                const YieldParameters &,
                const LA::Vector &,
                const RecoveredStress<2> *);
+template std::vector<unsigned int>
+unknowns_near_front(const ElasticModel<2> &,
+                    const Seam<2> &,
+                    const SeamCells<2> &,
+                    const Row &,
+                    const YieldParameters &);
 template FrontStresses
 front_stresses(const ElasticModel<3> &,
                const Seam<3> &,
@@ -104,4 +146,10 @@ front_stresses(const ElasticModel<3> &,
                const YieldParameters &,
                const LA::Vector &,
                const RecoveredStress<3> *);
+template std::vector<unsigned int>
+unknowns_near_front(const ElasticModel<3> &,
+                    const Seam<3> &,
+                    const SeamCells<3> &,
+                    const Row &,
+                    const YieldParameters &);
 } // namespace Setsudan

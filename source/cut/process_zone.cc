@@ -91,6 +91,23 @@ check_zones(const FrontStresses &stresses, const MPI_Comm communicator)
 
 
 template <int dim>
+std::vector<typename Discretization<dim>::Cell>
+cells_near_zones(const ElasticModel<dim> &model,
+                 const std::vector<Point<dim>> &centers,
+                 const double radius)
+{
+  std::vector<typename Discretization<dim>::Cell> cells;
+  for (const auto &cell :
+       model.discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() &&
+        !zones_near<dim>(cell, centers, radius).empty())
+      cells.push_back(cell);
+  return cells;
+}
+
+
+
+template <int dim>
 FrontStresses
 stresses_in_zones(const ElasticModel<dim> &model,
                   const std::vector<Point<dim>> &centers,
@@ -102,43 +119,47 @@ stresses_in_zones(const ElasticModel<dim> &model,
   RepeatedRules<dim> rules(model);
   FrontStresses stresses;
   stresses.n_zones = centers.size();
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        const auto zones = zones_near<dim>(cell, centers, radius);
-        if (zones.empty())
-          continue;
-        auto &recovery = rules.for_cell(cell->diameter(), radius);
-        recovery.reinit(cell, displacement);
-        const auto of_cell = stresses_of_cell(cell, recovery, recovered);
-        const double shear_limit =
-          model.materials.of_element(discretization.element(cell)).shear_limit;
-        for (unsigned int p = 0; p < recovery.n_points(); ++p)
-          for (const unsigned int zone : zones)
-            {
-              const double r =
-                recovery.point(p).distance(centers[zone]) / radius;
-              if (r < 1)
-                stresses.samples.push_back(
-                  {of_cell[p],
-                   shear_limit,
-                   {},
-                   zone,
-                   recovery.volume(p) * std::pow(1 - r * r, 2)});
-            }
-      }
+  for (const auto &cell : cells_near_zones(model, centers, radius))
+    {
+      const auto zones = zones_near<dim>(cell, centers, radius);
+      auto &recovery   = rules.for_cell(cell->diameter(), radius);
+      recovery.reinit(cell, displacement);
+      const auto of_cell = stresses_of_cell(cell, recovery, recovered);
+      const double shear_limit =
+        model.materials.of_element(discretization.element(cell)).shear_limit;
+      for (unsigned int p = 0; p < recovery.n_points(); ++p)
+        for (const unsigned int zone : zones)
+          {
+            const double r = recovery.point(p).distance(centers[zone]) / radius;
+            if (r < 1)
+              stresses.samples.push_back(
+                {of_cell[p],
+                 shear_limit,
+                 {},
+                 zone,
+                 recovery.volume(p) * std::pow(1 - r * r, 2)});
+          }
+    }
   check_zones(stresses, discretization.communicator);
   return stresses;
 }
 
 
 
+template std::vector<Discretization<2>::Cell>
+cells_near_zones(const ElasticModel<2> &,
+                 const std::vector<Point<2>> &,
+                 const double);
 template FrontStresses
 stresses_in_zones(const ElasticModel<2> &,
                   const std::vector<Point<2>> &,
                   const double,
                   const LA::Vector &,
                   const RecoveredStress<2> *);
+template std::vector<Discretization<3>::Cell>
+cells_near_zones(const ElasticModel<3> &,
+                 const std::vector<Point<3>> &,
+                 const double);
 template FrontStresses
 stresses_in_zones(const ElasticModel<3> &,
                   const std::vector<Point<3>> &,

@@ -10,6 +10,17 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+/** BLAS's solve for one right-hand side, which Teuchos does not wrap. */
+extern "C" void
+dtrsv_(const char *uplo,
+       const char *transposed,
+       const char *unit_diagonal,
+       const int *n,
+       const double *a,
+       const int *lda,
+       double *x,
+       const int *stride);
+
 namespace Setsudan
 {
 namespace
@@ -111,6 +122,19 @@ SingleThreadedBlas::SingleThreadedBlas()
 SingleThreadedBlas::~SingleThreadedBlas()
 {
   set_n_threads(n_before);
+}
+
+
+
+void
+solve_triangle(const double *l,
+               const int n,
+               const int stride,
+               const bool transposed,
+               double *x)
+{
+  const int one = 1;
+  dtrsv_("L", transposed ? "T" : "N", "N", &n, l, &stride, x, &one);
 }
 
 

@@ -44,15 +44,25 @@ describe_state(const Scene<dim> &scene,
                Event &event)
 {
   event.load_factor    = state.load_factor;
-  event.blade_force    = 0;
   event.cutting_stress = state.stress.reached;
   // A state that is not judged leaves what was required before.
   if (state.stress.required > 0)
     event.required_stress = state.stress.required;
+  event.pieces                        = body.n_pieces();
+  event.blade_force                   = 0;
+  std::vector<PointForce<dim>> forces = blade.forces;
+  for (auto &force : forces)
+    {
+      force.force *= state.load_factor;
+      event.blade_force += force.force * body.cut().edge.direction;
+    }
+  event.is_whole = state.is_whole;
+  if (!state.is_whole)
+    return;
+
   event.strain_energy = 0.5 * (state.displacement * state.internal);
   event.potential_energy =
     event.strain_energy - state.forces * state.displacement;
-  event.pieces = body.n_pieces();
 
   const auto extremes    = find_extremes(*body.model, state.displacement);
   event.min_jacobian     = extremes.min_jacobian;
@@ -60,12 +70,6 @@ describe_state(const Scene<dim> &scene,
   event.max_shear        = extremes.max_shear;
   event.max_displacement = extremes.max_displacement;
 
-  std::vector<PointForce<dim>> forces = blade.forces;
-  for (auto &force : forces)
-    {
-      force.force *= state.load_factor;
-      event.blade_force += force.force * body.cut().edge.direction;
-    }
   const auto balance    = check_balance(*body.model,
                                      state.internal,
                                      state.forces,

@@ -4,6 +4,7 @@
 #include <setsudan/cut/near_cut.h>
 #include <setsudan/cut/sides.h>
 #include <setsudan/simulation/cut_body.h>
+#include <setsudan/solver/condensed_equilibrium.h>
 
 #include <algorithm>
 #include <set>
@@ -179,13 +180,40 @@ template <int dim>
 std::shared_ptr<EquilibriumSolver>
 CutBody<dim>::equilibrium_under(AffineConstraints<double> &&constraints)
 {
-  return choice.solver(
-    *model,
-    seams.empty() ? nullptr : &seam(),
-    std::move(constraints),
-    all_held(),
-    {[&] { return constraints_of(seams.size() - 1); },
-     [&](const auto &visit) { for_each_row_to_come(visit); }});
+  return choice.solver(*model,
+                       seams.empty() ? nullptr : &seam(),
+                       std::move(constraints),
+                       all_held(),
+                       other_states());
+}
+
+
+
+template <int dim>
+typename EquilibriumChoice<dim>::OtherStates
+CutBody<dim>::other_states()
+{
+  return {[this] { return constraints_of(seams.size() - 1); },
+          [this](const auto &visit) { for_each_row_to_come(visit); }};
+}
+
+
+
+template <int dim>
+std::optional<LA::Vector>
+CutBody<dim>::displacement_near_front(const unsigned int row,
+                                      const LA::Vector &forces,
+                                      const LA::Vector &prescribed)
+{
+  const auto all_states =
+    choice.all_states(*model, &seam(), all_held(), other_states());
+  if (!all_states || !all_held())
+    return {};
+  const auto near = unknowns_near_front(
+    *model, seam(), seam_cells(), seam().rows()[row], scene.yield);
+  // As many rows have split as come before this one.
+  return all_states->solve_partly(
+    row, forces, prescribed, all_states->steps_for(near));
 }
 
 

@@ -103,9 +103,27 @@ EquilibriumChoice<dim>::condense(ElasticModel<dim> &model,
     model,
     std::make_shared<const Constraints>(others.without_seam()),
     seam.coupled_indices(model.discretization.dof_handler.n_dofs()));
-  if (is_foreseen(all_held))
+  const bool is_factored = is_foreseen(all_held);
+  if (is_factored || (all_held && scene.output.front_only))
     others.for_each_row(
       [&](const Constraints &later) { condensed->foresee(later); });
+  if (is_factored)
+    condensed->factorize_foreseen();
+}
+
+
+
+template <int dim>
+std::shared_ptr<CondensedEquilibrium<dim>>
+EquilibriumChoice<dim>::all_states(ElasticModel<dim> &model,
+                                   const Seam<dim> *seam,
+                                   const bool all_held,
+                                   const OtherStates &others)
+{
+  // The pieces, in the end, are one step more of what there is.
+  if (!condensed && why_anew(model, seam).empty())
+    condense(model, *seam, all_held, others);
+  return condensed;
 }
 
 
@@ -119,10 +137,8 @@ EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
                                const OtherStates &others)
 {
   const auto held = std::make_shared<const Constraints>(std::move(constraints));
-  // The pieces, in the end, are one step more of what there is.
-  if (!condensed && why_anew(model, seam).empty())
-    condense(model, *seam, all_held, others);
-  if (condensed && condensed->set_constraints(held))
+  if (all_states(model, seam, all_held, others) &&
+      condensed->set_constraints(held))
     return condensed;
   condensed.reset();
   // What has failed once is not tried again.

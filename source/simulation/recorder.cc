@@ -71,6 +71,8 @@ void
 Recorder<dim>::finish()
 {
   frames.finish();
+  if (is_first_process)
+    statistics.finish(directory);
 }
 
 

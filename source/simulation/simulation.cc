@@ -146,6 +146,7 @@ Simulation<dim>::reach(const Checkpoint::Stage stage)
   const bool stops = interrupted(body.communicator);
   if (checkpoints.keeps() && (stops || checkpoints.is_due()))
     {
+      make_whole();
       Checkpoint reached;
       reached.stage      = stage;
       reached.n_frames   = n_frames;
@@ -162,6 +163,24 @@ Simulation<dim>::reach(const Checkpoint::Stage stage)
       (checkpoints.keeps() ? "; with --resume it goes on from there."
                            : "; Output/Checkpoint = none leaves nothing to "
                              "resume from."));
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::make_whole()
+{
+  if (state.is_whole)
+    return;
+  State<dim> whole = solve_state(scene,
+                                 body,
+                                 blade_on_row(body, event.row),
+                                 state.load_factor,
+                                 state.displacement);
+  whole.stress     = state.stress;
+  whole.yields     = state.yields;
+  state            = std::move(whole);
 }
 
 
@@ -231,12 +250,7 @@ Simulation<dim>::deform(const unsigned int row)
   else
     {
       // A cut that runs through does so at the load that opened it.
-      const double load_factor = ramp ? state.load_factor : 1;
-      State<dim> new_state =
-        solve_state(scene, body, blade, load_factor, state.displacement);
-      judge(scene, body, row, new_state);
-      new_state.yields = new_state.yields || !is_judged(row);
-      accept(std::move(new_state), blade);
+      accept(solve_row(row, blade, ramp ? state.load_factor : 1), blade);
     }
 
   if (row > 0)
@@ -252,6 +266,46 @@ Simulation<dim>::deform(const unsigned int row)
                        row == 0 || row + 1 == body.seam().rows().size() ||
                          !state.yields);
   reach(Checkpoint::Stage::row);
+}
+
+
+
+template <int dim>
+bool
+Simulation<dim>::front_is_enough(const unsigned int row) const
+{
+  using Frames       = OutputParameters::Frames;
+  const auto &output = scene.output;
+  return output.front_only && output.frames != Frames::every_row &&
+         !output.node_tables && !output.calculix_decks &&
+         !scene.accuracy.estimate && !scene.yield.needs_seam() && row > 0 &&
+         row + 1 < body.seam().rows().size() &&
+         !(checkpoints.keeps() && checkpoints.is_due());
+}
+
+
+
+template <int dim>
+State<dim>
+Simulation<dim>::solve_row(const unsigned int row,
+                           const BladeLoad<dim> &blade,
+                           const double load_factor)
+{
+  const auto judged = [&](State<dim> &&solved) {
+    judge(scene, body, row, solved);
+    solved.yields = solved.yields || !is_judged(row);
+    return std::move(solved);
+  };
+  if (front_is_enough(row))
+    if (auto near = solve_near_front(scene, body, blade, load_factor))
+      {
+        auto solved = judged(std::move(*near));
+        // Where the cut ends the whole body is shown.
+        if (solved.yields)
+          return solved;
+      }
+  return judged(
+    solve_state(scene, body, blade, load_factor, state.displacement));
 }
 
 
@@ -385,8 +439,11 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
         {error.energy.relative_energy, error.cutting_stress}};
       new_state.error_squares = error.energy.squares;
     }
-  if (event.released_rows > 0)
-    check_energy_of_split(body, state, new_state);
+  // Of all states since the last whole one: each split can only lower it.
+  if (event.released_rows > 0 && new_state.is_whole)
+    check_energy_of_split(body, state.is_whole ? state : last_whole, new_state);
+  if (state.is_whole && !new_state.is_whole)
+    last_whole = std::move(state);
   state = std::move(new_state);
   recorder.warn_of_range(event);
   recorder.warn_of_solve(state);

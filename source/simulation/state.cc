@@ -121,6 +121,20 @@ unloaded_state(const Scene<dim> &scene, const CutBody<dim> &body)
   return state;
 }
 
+
+
+template <int dim>
+State<dim>
+loaded_state(const Scene<dim> &scene,
+             const CutBody<dim> &body,
+             const BladeLoad<dim> &blade,
+             const double load_factor)
+{
+  State<dim> state  = unloaded_state(scene, body);
+  state.load_factor = load_factor;
+  state.forces.add(load_factor, blade.nodal_forces);
+  return state;
+}
 } // namespace
 
 
@@ -133,9 +147,7 @@ make_state(const Scene<dim> &scene,
            const double load_factor,
            const LA::Vector &displacement)
 {
-  State<dim> state  = unloaded_state(scene, body);
-  state.load_factor = load_factor;
-  state.forces.add(load_factor, blade.nodal_forces);
+  State<dim> state   = loaded_state(scene, body, blade, load_factor);
   state.displacement = displacement;
   state.internal     = body.internal_forces(state.displacement);
   return state;
@@ -167,14 +179,31 @@ solve_state(const Scene<dim> &scene,
             const double load_factor,
             const LA::Vector &guess)
 {
-  State<dim> state  = unloaded_state(scene, body);
-  state.load_factor = load_factor;
-  state.forces.add(load_factor, blade.nodal_forces);
+  State<dim> state       = loaded_state(scene, body, blade, load_factor);
   const auto equilibrium = body.equilibrium();
   state.displacement     = equilibrium->solve(
     state.forces, prescribed_displacement(body, state), guess);
   state.quality  = equilibrium->quality_of_last();
   state.internal = body.internal_forces(state.displacement);
+  return state;
+}
+
+
+
+template <int dim>
+std::optional<State<dim>>
+solve_near_front(const Scene<dim> &scene,
+                 CutBody<dim> &body,
+                 const BladeLoad<dim> &blade,
+                 const double load_factor)
+{
+  State<dim> state  = loaded_state(scene, body, blade, load_factor);
+  auto displacement = body.displacement_near_front(
+    *blade.row, state.forces, prescribed_displacement(body, state));
+  if (!displacement)
+    return {};
+  state.displacement = std::move(*displacement);
+  state.is_whole     = false;
   return state;
 }
 
@@ -252,6 +281,11 @@ solve_state(const Scene<2> &,
             const BladeLoad<2> &,
             const double,
             const LA::Vector &);
+template std::optional<State<2>>
+solve_near_front(const Scene<2> &,
+                 CutBody<2> &,
+                 const BladeLoad<2> &,
+                 const double);
 template State<2>
 solve_ramp(const Scene<2> &,
            CutBody<2> &,
@@ -281,6 +315,11 @@ solve_state(const Scene<3> &,
             const BladeLoad<3> &,
             const double,
             const LA::Vector &);
+template std::optional<State<3>>
+solve_near_front(const Scene<3> &,
+                 CutBody<3> &,
+                 const BladeLoad<3> &,
+                 const double);
 template State<3>
 solve_ramp(const Scene<3> &,
            CutBody<3> &,

@@ -1,3 +1,4 @@
+#include <setsudan/kernel/blas.h>
 #include <setsudan/solver/cholesky_factor.h>
 #include <setsudan/solver/elimination_order.h>
 #include <setsudan/solver/linear_solver.h>
@@ -6,17 +7,6 @@
 
 #include <algorithm>
 #include <numeric>
-
-/** BLAS's solve for one right-hand side, which has no wrapper. */
-extern "C" void
-dtrsv_(const char *uplo,
-       const char *transposed,
-       const char *unit_diagonal,
-       const int *n,
-       const double *a,
-       const int *lda,
-       double *x,
-       const int *stride);
 
 namespace Setsudan
 {
@@ -173,9 +163,8 @@ solve_lower(const Supernode &node,
             std::vector<double> &x,
             std::vector<double> &below)
 {
-  const int n_below = node.n_rows - n_columns, one = 1;
-  dtrsv_(
-    "L", "N", "N", &n_columns, node.values, &node.n_rows, &x[node.first], &one);
+  const int n_below = node.n_rows - n_columns;
+  solve_triangle(node.values, n_columns, node.n_rows, false, &x[node.first]);
   Teuchos::BLAS<int, double>().GEMV(Teuchos::NO_TRANS,
                                     n_below,
                                     n_columns,
@@ -199,7 +188,7 @@ solve_upper(const Supernode &node,
             std::vector<double> &x,
             std::vector<double> &below)
 {
-  const int n_below = node.n_rows - n_columns, one = 1;
+  const int n_below = node.n_rows - n_columns;
   for (int i = 0; i < n_below; ++i)
     below[i] = x[node.rows[n_columns + i]];
   Teuchos::BLAS<int, double>().GEMV(Teuchos::TRANS,
@@ -213,8 +202,7 @@ solve_upper(const Supernode &node,
                                     1.,
                                     &x[node.first],
                                     1);
-  dtrsv_(
-    "L", "T", "N", &n_columns, node.values, &node.n_rows, &x[node.first], &one);
+  solve_triangle(node.values, n_columns, node.n_rows, true, &x[node.first]);
 }
 } // namespace
 

@@ -10,6 +10,50 @@ namespace Setsudan
 {
 using namespace dealii;
 
+namespace
+{
+/** The entries of a vector of one process. */
+double *
+entries(LA::Vector &vector)
+{
+  return vector.trilinos_vector()[0];
+}
+
+
+
+const double *
+entries(const LA::Vector &vector)
+{
+  return vector.trilinos_vector()[0];
+}
+
+
+
+/** Two vectors of one process have the same entries. */
+bool
+are_equal(const LA::Vector &a, const LA::Vector &b)
+{
+  return a.size() == b.size() &&
+         std::equal(entries(a), entries(a) + a.size(), entries(b));
+}
+
+
+
+/** AffineConstraints::distribute() of one process, whose vectors it copies. */
+void
+distribute(const AffineConstraints<double> &constraints, LA::Vector &x)
+{
+  for (const auto &line : constraints.get_lines())
+    {
+      double value = line.inhomogeneity;
+      for (const auto &[index, weight] : line.entries)
+        value += weight * entries(x)[index];
+      entries(x)[line.index] = value;
+    }
+}
+} // namespace
+
+
 template <int dim>
 CondensedEquilibrium<dim>::CondensedEquilibrium(
   ElasticModel<dim> &model,
@@ -53,6 +97,30 @@ CondensedEquilibrium<dim>::foresee(const Constraints &later)
 
 
 template <int dim>
+void
+CondensedEquilibrium<dim>::factorize_foreseen()
+{
+  reduced->factorize_foreseen();
+}
+
+
+
+template <int dim>
+Condensation::Steps
+CondensedEquilibrium<dim>::steps_for(
+  const std::vector<unsigned int> &unknowns) const
+{
+  auto wanted = unknowns;
+  for (const unsigned int unknown : unknowns)
+    if (const auto *entries = base->get_constraint_entries(unknown))
+      for (const auto &[index, weight] : *entries)
+        wanted.push_back(index);
+  return condensation->steps_for(wanted);
+}
+
+
+
+template <int dim>
 double
 CondensedEquilibrium<dim>::memory(const unsigned int n)
 {
@@ -83,7 +151,7 @@ CondensedEquilibrium<dim>::eliminate(const LA::Vector &loads,
     }
   Condensation::Eliminated eliminated = remembered;
   for (unsigned int i = 0; i < cut.size(); ++i)
-    eliminated.on_cut[i] += loads.trilinos_vector()[0][cut[i]];
+    eliminated.on_cut[i] += entries(loads)[cut[i]];
   return eliminated;
 }
 
@@ -93,7 +161,8 @@ template <int dim>
 LA::Vector
 CondensedEquilibrium<dim>::solve_for(const LA::Vector &b,
                                      const std::vector<double> &opening,
-                                     const bool is_remembered)
+                                     const bool is_remembered,
+                                     const Condensation::Steps *wanted)
 {
   auto eliminated = eliminate(b, is_remembered);
   if (!opening.empty())
@@ -108,8 +177,8 @@ CondensedEquilibrium<dim>::solve_for(const LA::Vector &b,
     for (unsigned int i = 0; i < cut.size(); ++i)
       of_cut[i] += opening[i];
   LA::Vector x = b;
-  condensation->recover(std::move(eliminated), of_cut, x);
-  base->distribute(x);
+  condensation->recover(std::move(eliminated), of_cut, x, wanted);
+  distribute(*base, x);
   return x;
 }
 
@@ -121,17 +190,52 @@ CondensedEquilibrium<dim>::take_opening(LA::Vector &prescribed) const
 {
   std::vector<double> opening(cut.size());
   for (unsigned int i = 0; i < cut.size(); ++i)
-    opening[i] = prescribed(cut[i]);
+    opening[i] = entries(prescribed)[cut[i]];
   if (std::all_of(
         opening.begin(), opening.end(), [](const double u) { return u == 0; }))
     return {};
   LA::Vector displacement = model.discretization.zero_vector();
   for (unsigned int i = 0; i < cut.size(); ++i)
-    displacement(cut[i]) = opening[i];
-  displacement.compress(VectorOperation::insert);
-  base->distribute(displacement);
+    entries(displacement)[cut[i]] = opening[i];
+  distribute(*base, displacement);
   prescribed -= displacement;
   return opening;
+}
+
+
+
+template <int dim>
+LA::Vector
+CondensedEquilibrium<dim>::loads_beside(const LA::Vector &forces,
+                                        const LA::Vector &beyond_cut)
+{
+  if (!are_equal(beyond_cut, remembered_beyond))
+    {
+      remembered_beyond = beyond_cut;
+      forces_of_beyond  = internal_forces(model, beyond_cut);
+    }
+  LA::Vector loads = forces;
+  loads -= forces_of_beyond;
+  return loads;
+}
+
+
+
+template <int dim>
+std::optional<LA::Vector>
+CondensedEquilibrium<dim>::solve_partly(const unsigned int step_number,
+                                        const LA::Vector &forces,
+                                        const LA::Vector &prescribed,
+                                        const Condensation::Steps &wanted)
+{
+  if (!reduced->go_to(step_number))
+    return {};
+  LA::Vector beyond_cut = prescribed;
+  const auto opening    = take_opening(beyond_cut);
+  const auto loads      = loads_beside(forces, beyond_cut);
+  LA::Vector x = solve_for(condense(*base, loads), opening, true, &wanted);
+  x += beyond_cut;
+  return x;
 }
 
 
@@ -154,13 +258,12 @@ CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
   mending.correction = [&](const LA::Vector &rest) {
     return solve_for(condense(*base, rest), {}, false);
   };
-  LA::Vector loads   = mending.rest_of(prescribed);
-  const double scale = mending.norm(loads);
-  check_loads(scale);
   LA::Vector beyond_cut = prescribed;
   const auto opening    = take_opening(beyond_cut);
-  if (!opening.empty())
-    loads = mending.rest_of(beyond_cut);
+  const auto loads      = loads_beside(forces, beyond_cut);
+  const double scale =
+    mending.norm(opening.empty() ? loads : mending.rest_of(prescribed));
+  check_loads(scale);
   LA::Vector x = solve_for(condense(*base, loads), opening, true);
   x += beyond_cut;
   // Less than this is lost in the products of K x already.

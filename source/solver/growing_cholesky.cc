@@ -1,5 +1,6 @@
 #include <deal.II/base/exceptions.h>
 
+#include <setsudan/kernel/blas.h>
 #include <setsudan/solver/growing_cholesky.h>
 #include <setsudan/solver/linear_solver.h>
 
@@ -96,10 +97,8 @@ GrowingCholesky::solve(std::vector<double> &x) const
   AssertIndexRange(x.size(), n + 1);
   if (n_solved == 0)
     return;
-  const Teuchos::LAPACK<int, double> lapack;
-  int info = 0;
-  lapack.POTRS(
-    'L', n_solved, 1, factor.data(), most, x.data(), n_solved, &info);
-  AssertThrow(info == 0, ExcInternalError());
+  // LAPACK's solve is for many right-hand sides, and slow for one.
+  for (const bool transposed : {false, true})
+    solve_triangle(factor.data(), n_solved, most, transposed, x.data());
 }
 } // namespace Setsudan

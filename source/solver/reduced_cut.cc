@@ -99,7 +99,7 @@ ReducedCut::n_that_fit(const std::vector<unsigned int> &free,
 
 
 bool
-ReducedCut::foresee(const Constraints &step)
+ReducedCut::place(const Constraints &step)
 {
   std::vector<unsigned int> free;
   std::vector<Column> columns;
@@ -111,6 +111,8 @@ ReducedCut::foresee(const Constraints &step)
   if (n_kept == n_columns)
     return true;
   factor.shrink(std::min(factor.size(), n_kept));
+  while (!n_columns_of.empty() && n_columns_of.back() > n_kept)
+    n_columns_of.pop_back();
   free_unknowns.resize(n_kept);
   basis.resize(n_kept);
   std::vector<bool> is_known(unknowns.size(), false);
@@ -127,10 +129,43 @@ ReducedCut::foresee(const Constraints &step)
 
 
 
-void
-ReducedCut::factorize()
+bool
+ReducedCut::foresee(const Constraints &step)
 {
-  factor.append(basis.size() - factor.size(),
+  if (!place(step))
+    return false;
+  n_columns_of.push_back(n_columns);
+  return true;
+}
+
+
+
+void
+ReducedCut::factorize_foreseen()
+{
+  factorize(basis.size());
+}
+
+
+
+bool
+ReducedCut::go_to(const unsigned int step)
+{
+  if (step >= n_columns_of.size())
+    return false;
+  n_columns = n_columns_of[step];
+  factorize(n_columns);
+  return true;
+}
+
+
+
+void
+ReducedCut::factorize(const unsigned int n)
+{
+  if (n <= factor.size())
+    return;
+  factor.append(n - factor.size(),
                 [&](const unsigned int row, const unsigned int column) {
                   double sum = 0;
                   for (const auto &[i, weight] : basis[row])
@@ -145,9 +180,9 @@ ReducedCut::factorize()
 bool
 ReducedCut::set_ties(const Constraints &step)
 {
-  if (!foresee(step))
+  if (!place(step))
     return false;
-  factorize();
+  factorize(n_columns);
   return true;
 }
 

@@ -56,6 +56,16 @@ private:
   const unsigned int n_before;
 };
 
+/** Make L^-1 x of x, or L^-T x, for one lower triangle.
+ *
+ * @param l      by columns of length `stride`. */
+void
+solve_triangle(const double *l,
+               const int n,
+               const int stride,
+               const bool transposed,
+               double *x);
+
 /** The BLAS, its kernels and threads, and our own kernels, in one line. */
 std::string
 describe_blas();

@@ -3,6 +3,7 @@
 #include <setsudan/output/output_directory.h>
 
 #include <array>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,16 +49,30 @@ struct Event
   std::optional<std::array<double, 2>> errors;
   /** The pieces in which the row's front lies, as they were before this cut. */
   std::vector<unsigned int> row_pieces = {0};
+  /** Whether there is more than the depth, the load factor, the stresses and
+   * the forces of the blade; the columns of the rest are empty where not. */
+  bool is_whole = true;
 };
 
-/** The table statistics.csv, which is rewritten as a whole for every event. */
+/** The table statistics.csv, which is rewritten as a whole, at most ten times a
+ * second. */
 class Statistics
 {
 public:
   void
   add(const Event &event, const OutputDirectory &directory);
 
+  /** Write what has not been written yet. */
+  void
+  finish(const OutputDirectory &directory);
+
   /** All lines so far. */
   std::string table;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_written = true;
+  Clock::time_point last_written;
 };
 } // namespace Setsudan

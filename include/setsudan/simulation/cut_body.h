@@ -8,6 +8,7 @@
 #include <setsudan/simulation/equilibrium_choice.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
@@ -83,6 +84,18 @@ public:
   std::shared_ptr<EquilibriumSolver>
   equilibrium();
 
+  /**
+   * The displacement in the cells that decide whether a row yields, while it is
+   * the next to split; what it is elsewhere is of no use. Nothing where there
+   * is no less work to find only that.
+   *
+   * @param forces, prescribed as in EquilibriumSolver::solve().
+   */
+  std::optional<LA::Vector>
+  displacement_near_front(const unsigned int row,
+                          const LA::Vector &forces,
+                          const LA::Vector &prescribed);
+
   /** Why the rows of the newest cut are not all solved from one factorization,
    * in words that follow "every row is solved anew"; empty where they are. */
   std::string
@@ -151,6 +164,9 @@ private:
 
   typename Seam<dim>::State
   state_of_split_rows() const;
+
+  typename EquilibriumChoice<dim>::OtherStates
+  other_states();
 
   std::shared_ptr<EquilibriumSolver>
   equilibrium_under(dealii::AffineConstraints<double> &&constraints);

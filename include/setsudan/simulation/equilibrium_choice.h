@@ -69,6 +69,14 @@ public:
          const bool all_held,
          const OtherStates &others);
 
+  /** The equilibrium in all states of the newest cut, where it is prepared at
+   * once; nothing where it is not. */
+  std::shared_ptr<CondensedEquilibrium<dim>>
+  all_states(ElasticModel<dim> &model,
+             const Seam<dim> *seam,
+             const bool all_held,
+             const OtherStates &others);
+
 private:
   /** Factor the body for all states of a cut. */
   void

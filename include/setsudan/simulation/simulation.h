@@ -66,6 +66,21 @@ private:
   void
   deform(const unsigned int row);
 
+  /** Whether nobody looks at more of a row than its front. */
+  bool
+  front_is_enough(const unsigned int row) const;
+
+  /** Solve for the body with the blade on a row, or for what of it is looked
+   * at, and judge whether the row yields. */
+  State<dim>
+  solve_row(const unsigned int row,
+            const BladeLoad<dim> &blade,
+            const double load_factor);
+
+  /** Find the rest of a state that is known near the front only. */
+  void
+  make_whole();
+
   /** Whether the division waits for this row to yield. */
   bool
   is_judged(const unsigned int row) const;
@@ -103,6 +118,8 @@ private:
   CheckpointKeeper checkpoints;
   CutBody<dim> body;
   State<dim> state;
+  /** The last one that was known in the whole body, if `state` is not. */
+  State<dim> last_whole;
   Event event;
   unsigned int n_frames = 1;
 };

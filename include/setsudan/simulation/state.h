@@ -51,6 +51,9 @@ struct State
   bool yields = false;
   /** The error of each cell, where it is estimated (see ErrorEstimate). */
   dealii::Vector<double> error_squares = {};
+  /** Whether it is known in the whole body, or only near the front: then there
+   * is no K u, and the displacement is of no use elsewhere. */
+  bool is_whole = true;
 };
 
 /** What the supports and the opening of the cut prescribe. */
@@ -93,6 +96,15 @@ solve_state(const Scene<dim> &scene,
             const BladeLoad<dim> &blade,
             const double load_factor,
             const LA::Vector &guess);
+
+/** The same near the front of the row that the blade stands on, or nothing
+ * where that takes a solve for the whole body. */
+template <int dim>
+std::optional<State<dim>>
+solve_near_front(const Scene<dim> &scene,
+                 CutBody<dim> &body,
+                 const BladeLoad<dim> &blade,
+                 const double load_factor);
 
 /** Solve for the smallest load factor at which a row yields, or the largest
  * allowed one where it does not. The load enters linearly: two solves. */

@@ -6,6 +6,7 @@
 #include <setsudan/solver/reduced_cut.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
@@ -41,9 +42,29 @@ public:
   bool
   set_constraints(std::shared_ptr<const Constraints> step);
 
-  /** Prepare for a later step: see ReducedCut::foresee(). */
+  /** Remember later steps, and factor them at once: see ReducedCut. */
   bool
   foresee(const Constraints &later);
+  void
+  factorize_foreseen();
+
+  /** What must be done to find some unknowns' displacement only. */
+  Condensation::Steps
+  steps_for(const std::vector<unsigned int> &unknowns) const;
+
+  /**
+   * The displacement of some unknowns in a step that has been foreseen; what it
+   * has in others is of no use. There is no residual to judge it by.
+   *
+   * @param step   as in ReducedCut::go_to(); nothing is returned where there
+   *   is none.
+   * @param wanted from steps_for().
+   */
+  std::optional<LA::Vector>
+  solve_partly(const unsigned int step,
+               const LA::Vector &forces,
+               const LA::Vector &prescribed,
+               const Condensation::Steps &wanted);
 
   LA::Vector
   solve(const LA::Vector &forces,
@@ -68,11 +89,16 @@ private:
    * displacement but for the `opening` the step.
    *
    * @param opening what the cut's unknowns have besides; nothing if it is zero.
-   */
+   * @param wanted  what is to be found; nothing for all of it. */
   LA::Vector
   solve_for(const LA::Vector &b,
             const std::vector<double> &opening,
-            const bool is_remembered);
+            const bool is_remembered,
+            const Condensation::Steps *wanted = nullptr);
+
+  /** The forces less what a displacement off the cut takes of them. */
+  LA::Vector
+  loads_beside(const LA::Vector &forces, const LA::Vector &beyond_cut);
 
   /** What a displacement has on the cut, nothing if it is zero; the rest of it
    * is left over. */
@@ -100,6 +126,9 @@ private:
   std::unique_ptr<ReducedCut> reduced;
   /** The largest sum of a row of the stiffness. */
   double largest_entry = 0;
+  /** The last displacement beyond the cut that was prescribed, and K times it.
+   */
+  LA::Vector remembered_beyond, forces_of_beyond;
   LA::Vector remembered_loads;
   Condensation::Eliminated remembered;
   SolveQuality quality;

@@ -42,12 +42,22 @@ public:
   bool
   set_ties(const Constraints &step);
 
-  /** Let the next set_ties() factor what a later step needs, too. Steps that
-   * are foreseen must be so in their order.
+  /** Remember a step for go_to(). Steps that are foreseen must be so in their
+   * order, and are forgotten where set_ties() does not agree with them.
    *
    * @return false where a tie leads out of the cut, and nothing has changed. */
   bool
   foresee(const Constraints &step);
+
+  /** Factor all that is foreseen at once. */
+  void
+  factorize_foreseen();
+
+  /** Go to a step that has been foreseen, counted from 0.
+   *
+   * @return false where there is none, and nothing has changed. */
+  bool
+  go_to(const unsigned int step);
 
   /** The displacement Q (Q^T S Q)^-1 Q^T f of the cut under forces f on it. */
   std::vector<double>
@@ -69,9 +79,13 @@ private:
   n_that_fit(const std::vector<unsigned int> &free,
              const std::vector<Column> &columns) const;
 
-  /** Factor what has been added. */
+  /** Make the columns of a step the first ones. */
+  bool
+  place(const Constraints &step);
+
+  /** Factor the first columns. */
   void
-  factorize();
+  factorize(const unsigned int n);
 
   const std::vector<unsigned int> unknowns;
   const SchurComplement &stiffness;
@@ -80,7 +94,9 @@ private:
   /** The free unknown of each column. */
   std::vector<unsigned int> free_unknowns;
   std::vector<Column> basis;
-  /** How many of the columns belong to the present step. */
+  /** How many of the columns belong to the present step, and to those that have
+   * been foreseen. */
   unsigned int n_columns = 0;
+  std::vector<unsigned int> n_columns_of;
 };
 } // namespace Setsudan
