@@ -286,7 +286,7 @@ Seam<dim>::opening(const ElasticModel<dim> &model, const double thickness) const
     if (value != 0 && model.discretization.owned.is_element(index))
       displacement(index) = value;
   displacement.compress(VectorOperation::insert);
-  model.hanging.distribute(displacement);
+  distribute(model.hanging, displacement);
   return displacement;
 }
 

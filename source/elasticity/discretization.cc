@@ -26,6 +26,8 @@ Discretization<dim>::Discretization(const CoarseMesh<dim> &mesh,
   dof_handler.distribute_dofs(fe);
   owned = dof_handler.locally_owned_dofs();
   DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  zero.reinit(owned, communicator);
+  zero_with_ghosts.reinit(owned, relevant, communicator);
   make_mapping();
   find_sites();
 }
@@ -196,7 +198,7 @@ template <int dim>
 LA::Vector
 Discretization<dim>::zero_vector() const
 {
-  return LA::Vector(owned, communicator);
+  return zero;
 }
 
 
@@ -205,8 +207,8 @@ template <int dim>
 LA::Vector
 Discretization<dim>::with_ghosts(const LA::Vector &vector) const
 {
-  LA::Vector ghosted(owned, relevant, communicator);
-  ghosted = vector;
+  LA::Vector ghosted = zero_with_ghosts;
+  ghosted            = vector;
   return ghosted;
 }
 

@@ -37,20 +37,6 @@ are_equal(const LA::Vector &a, const LA::Vector &b)
          std::equal(entries(a), entries(a) + a.size(), entries(b));
 }
 
-
-
-/** AffineConstraints::distribute() of one process, whose vectors it copies. */
-void
-distribute(const AffineConstraints<double> &constraints, LA::Vector &x)
-{
-  for (const auto &line : constraints.get_lines())
-    {
-      double value = line.inhomogeneity;
-      for (const auto &[index, weight] : line.entries)
-        value += weight * entries(x)[index];
-      entries(x)[line.index] = value;
-    }
-}
 } // namespace
 
 

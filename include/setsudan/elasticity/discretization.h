@@ -116,5 +116,7 @@ private:
   LA::Vector positions;
   std::unique_ptr<dealii::Mapping<dim>> shape;
   std::vector<Site> all_sites;
+  /** What vectors are copied from, which takes less time than to make them. */
+  LA::Vector zero, zero_with_ghosts;
 };
 } // namespace Setsudan

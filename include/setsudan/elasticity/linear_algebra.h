@@ -14,6 +14,13 @@ using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
 namespace Setsudan
 {
+/** Set constrained unknowns to what the others make of them, as
+ * AffineConstraints::distribute() does, which copies the vector even where there
+ * is one process. */
+void
+distribute(const dealii::AffineConstraints<double> &constraints,
+           LA::Vector &vector);
+
 /** Hand forces on constrained unknowns on to those that they depend on.
  *
  * @param forces without ghosts, as is the result. */
