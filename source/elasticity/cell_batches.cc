@@ -229,8 +229,12 @@ CellBatches<dim>::operator[](const unsigned int batch) const
 {
   const Geometry &geometry = *geometries[batch];
   CellBatch view;
-  view.nodes      = &nodes[batch * n_nodes() * kernel.n_lanes];
-  view.gradients  = geometry.gradients.data();
+  view.nodes     = &nodes[batch * n_nodes() * kernel.n_lanes];
+  view.gradients = geometry.gradients.data();
+  view.next_gradients =
+    batch + 1 < size() && geometries[batch + 1] != geometries[batch]
+      ? geometries[batch + 1]->gradients.data()
+      : nullptr;
   view.moduli     = &moduli[2 * batch * kernel.n_lanes];
   view.pressures  = geometry.is_mixed ? geometry.pressures.data() : nullptr;
   view.is_uniform = geometry.is_uniform;

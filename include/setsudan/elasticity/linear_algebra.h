@@ -15,8 +15,8 @@ using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
 namespace Setsudan
 {
 /** Set constrained unknowns to what the others make of them, as
- * AffineConstraints::distribute() does, which copies the vector even where there
- * is one process. */
+ * AffineConstraints::distribute() does, which copies the vector even where
+ * there is one process. */
 void
 distribute(const dealii::AffineConstraints<double> &constraints,
            LA::Vector &vector);

@@ -35,6 +35,10 @@ struct CellBatch
 
   /** The lanes that hold a cell; the rest repeats the last of them. */
   unsigned int n_cells;
+
+  /** The gradients of the batch that comes next, which are fetched meanwhile;
+   * nothing where they are the same or there is none. */
+  const double *next_gradients;
 };
 
 /**
