@@ -2,6 +2,7 @@
 
 #include <setsudan/elasticity/cell_batches.h>
 #include <setsudan/elasticity/deformation_extremes.h>
+#include <setsudan/elasticity/grid_gradients.h>
 #include <setsudan/elasticity/strain_recovery.h>
 
 #include <algorithm>
@@ -148,17 +149,15 @@ largest_displacement(const LA::Vector &displacement)
 
 
 
-/** Let the cells of a batch count. @param gradients as the kernel gives them.
- */
+/** Let the cells of a batch count. */
 template <int dim>
 void
-include_batch(const CellBatch &batch,
-              const unsigned int n_lanes,
+include_batch(const GradientsOfBatch &gradients,
               const bool serendipity,
-              const double *gradients,
               DeformationExtremes &extremes)
 {
   constexpr unsigned int n_points = Utilities::pow(3, dim);
+  const CellBatch &batch          = gradients.batch;
   for (unsigned int p = 0; p < 2 * n_points; ++p)
     {
       const bool is_gauss_point = p >= n_points;
@@ -166,16 +165,13 @@ include_batch(const CellBatch &batch,
         continue;
       for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
         {
-          Tensor<2, dim> gradient;
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
-              gradient[c][d] =
-                gradients[((p * dim + c) * dim + d) * n_lanes + lane];
+          const auto gradient = gradients.at<dim>(p, lane);
           extremes.min_jacobian =
             std::min(extremes.min_jacobian,
                      determinant(unit_symmetric_tensor<dim>() + gradient));
           if (is_gauss_point)
-            include_strain(gradient, batch.moduli[n_lanes + lane], extremes);
+            include_strain(
+              gradient, batch.moduli[gradients.n_lanes + lane], extremes);
         }
     }
 }
@@ -191,23 +187,13 @@ find_extremes(ElasticModel<dim> &model, const LA::Vector &displacement)
     return find_extremes(discretization,
                          model.materials,
                          discretization.with_ghosts(displacement));
-  auto &batches          = model.batches();
-  const auto &kernel     = batches.kernel;
   const bool serendipity = discretization.type == ElementType::serendipity;
-  const auto gradients_of =
-    serendipity ? kernel.serendipity_gradients : kernel.quadratic_gradients;
-  const double *const positions = batches.positions().begin();
-  auto u                        = batches.imported(displacement);
+  auto u                 = model.batches().imported(displacement);
   u.update_ghost_values();
-  AlignedVector<double> gradients(2 * Utilities::pow(3, dim) * dim * dim *
-                                  kernel.n_lanes);
   DeformationExtremes extremes;
-  for (unsigned int b = 0; b < batches.size(); ++b)
-    {
-      gradients_of(batches[b], positions, u.begin(), gradients.data());
-      include_batch<dim>(
-        batches[b], kernel.n_lanes, serendipity, gradients.data(), extremes);
-    }
+  visit_gradients<dim>(model, u, [&](const GradientsOfBatch &gradients) {
+    include_batch<dim>(gradients, serendipity, extremes);
+  });
   extremes.max_displacement = largest_displacement<dim>(displacement);
   return of_all(extremes, discretization.communicator);
 }

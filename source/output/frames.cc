@@ -3,12 +3,11 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
-#include <setsudan/elasticity/dilatation.h>
 #include <setsudan/output/frames.h>
+#include <setsudan/output/quadratic_patches.h>
 
 #include <algorithm>
 #include <cmath>
-#include <list>
 #include <memory>
 #include <ostream>
 
@@ -18,23 +17,15 @@ using namespace dealii;
 
 namespace
 {
-/** Stress and maximum shear of each cell, for ParaView. */
+/** The stress for deal.II's DataOut. */
 template <int dim>
 class StressPostprocessor : public DataPostprocessor<dim>
 {
 public:
   StressPostprocessor(const ElasticModel<dim> &model,
                       const LA::Vector &displacement)
-    : model(model)
+    : stress(model, displacement)
   {
-    if (!model.materials.any_is_mixed())
-      return;
-    const auto &discretization = model.discretization;
-    dilatations.resize(discretization.triangulation.n_active_cells());
-    Dilatation<dim> dilatation(discretization);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        dilatations[cell->active_cell_index()] = dilatation(cell, displacement);
   }
 
   void
@@ -43,35 +34,19 @@ public:
     std::vector<dealii::Vector<double>> &values) const override
   {
     const auto cell = inputs.template get_cell<dim>();
-    const Material &material =
-      model.materials.of_element(model.discretization.element(cell));
     for (unsigned int p = 0; p < values.size(); ++p)
       {
         Tensor<2, dim> gradient;
         for (unsigned int d = 0; d < dim; ++d)
           gradient[d] = inputs.solution_gradients[p][d];
-        const auto strain = symmetrize(gradient);
-        const auto stress = material.hooke.stress(
-          strain,
-          material.is_mixed ? dilatations[cell->active_cell_index()](
-                                inputs.evaluation_points[p])
-                            : trace(strain));
-        unsigned int n = 0;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            values[p](n++) = stress[i][j];
-        values[p](n++) = maximum_shear(stress);
-        values[p](n)   = stress[2][2];
+        stress.evaluate(cell, inputs.evaluation_points[p], gradient, values[p]);
       }
   }
 
   std::vector<std::string>
   get_names() const override
   {
-    std::vector<std::string> names(dim * dim, "stress");
-    names.push_back("maximum_shear");
-    names.push_back("stress_zz");
-    return names;
+    return stress.names();
   }
 
   std::vector<DataComponentInterpretation::DataComponentInterpretation>
@@ -80,7 +55,7 @@ public:
     std::vector<DataComponentInterpretation::DataComponentInterpretation>
       interpretation(dim * dim,
                      DataComponentInterpretation::component_is_part_of_tensor);
-    interpretation.resize(dim * dim + 2,
+    interpretation.resize(stress.n_values,
                           DataComponentInterpretation::component_is_scalar);
     return interpretation;
   }
@@ -92,23 +67,66 @@ public:
   }
 
 private:
-  const ElasticModel<dim> &model;
-  /** Of the cells of this process, where a material is mixed. */
-  std::vector<LinearFunction<dim>> dilatations;
+  const ShownStress<dim> stress;
 };
 
 
+/** The values of a scene's elements, for its cells. */
 template <int dim>
-dealii::Vector<float>
-cell_data(const Discretization<dim> &discretization,
-          const std::function<float(unsigned int)> &value_of_element)
+std::vector<CellValues>
+cell_values(const ElasticModel<dim> &model,
+            const ElementLabels &labels,
+            const dealii::Vector<double> &error_squares)
 {
-  dealii::Vector<float> data(discretization.triangulation.n_active_cells());
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      data(cell->active_cell_index()) =
-        value_of_element(discretization.element(cell));
-  return data;
+  const auto &discretization = model.discretization;
+  std::vector<CellValues> result;
+  const auto add = [&](const std::string &name, const auto &value_of_element) {
+    dealii::Vector<float> data(discretization.triangulation.n_active_cells());
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        data(cell->active_cell_index()) =
+          value_of_element(discretization.element(cell));
+    result.emplace_back(name, std::move(data));
+  };
+  add("side", [&](const unsigned int e) { return labels.side[e]; });
+  add("piece", [&](const unsigned int e) { return labels.piece[e]; });
+  add("material",
+      [&](const unsigned int e) { return model.materials.number(e); });
+  if (error_squares.size() == 0)
+    return result;
+  dealii::Vector<float> error(error_squares.size());
+  std::transform(error_squares.begin(),
+                 error_squares.end(),
+                 error.begin(),
+                 [](const double square) { return std::sqrt(square); });
+  result.emplace_back("energy_error", std::move(error));
+  return result;
+}
+
+
+/** What deal.II makes of linear elements, for which there are no kernels. */
+template <int dim>
+std::unique_ptr<DataOutInterface<dim>>
+linear_patches(const ElasticModel<dim> &model,
+               const LA::Vector &displacement,
+               const std::vector<CellValues> &of_cells)
+{
+  const StressPostprocessor<dim> stress(model, displacement);
+  auto data_out = std::make_unique<DataOut<dim>>();
+  data_out->attach_dof_handler(model.discretization.dof_handler);
+  data_out->add_data_vector(
+    displacement,
+    std::vector<std::string>(dim, "displacement"),
+    DataOut<dim>::type_dof_data,
+    std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+      dim, DataComponentInterpretation::component_is_part_of_vector));
+  data_out->add_data_vector(displacement, stress);
+  for (const auto &[name, values] : of_cells)
+    data_out->add_data_vector(values, name, DataOut<dim>::type_cell_data);
+  data_out->build_patches(
+    model.discretization.mapping(), 1, DataOut<dim>::curved_inner_cells);
+  data_out->clear_input_data_references();
+  return data_out;
 }
 
 
@@ -117,24 +135,20 @@ template <int dim>
 class Frame
 {
 public:
-  Frame(const ElasticModel<dim> &model,
+  Frame(ElasticModel<dim> &model,
         const LA::Vector &displacement,
-        const ElementLabels &labels,
-        const dealii::Vector<double> &error_squares)
-    : stress(model, displacement)
+        const std::vector<CellValues> &of_cells)
   {
-    add_displacement(model.discretization, displacement);
-    add_cell_data(model, labels, error_squares);
+    if (model.discretization.type == ElementType::linear)
+      content = linear_patches(model, displacement, of_cells);
+    else
+      content =
+        std::make_unique<QuadraticPatches<dim>>(model, displacement, of_cells);
     DataOutBase::VtkFlags flags;
     flags.write_higher_order_cells = true;
     // Frames that are a tenth smaller would take many times as long.
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
-    data_out.set_flags(flags);
-    data_out.build_patches(model.discretization.mapping(),
-                           model.discretization.type == ElementType::linear ? 1
-                                                                            : 2,
-                           DataOut<dim>::curved_inner_cells);
-    data_out.clear_input_data_references();
+    content->set_flags(flags);
   }
 
   /** @param base the files' names up to the ending.
@@ -150,61 +164,19 @@ public:
                           : base + "." + std::to_string(r) + ".vtu";
     };
     directory.write(name_of_rank(rank),
-                    [&](std::ostream &out) { data_out.write_vtu(out); });
+                    [&](std::ostream &out) { content->write_vtu(out); });
     if (rank > 0 || n_ranks == 1)
       return;
     std::vector<std::string> names;
     for (unsigned int r = 0; r < n_ranks; ++r)
       names.push_back(name_of_rank(r));
     directory.write(base + ".pvtu", [&](std::ostream &out) {
-      data_out.write_pvtu_record(out, names);
+      content->write_pvtu_record(out, names);
     });
   }
 
 private:
-  void
-  add_displacement(const Discretization<dim> &discretization,
-                   const LA::Vector &displacement)
-  {
-    data_out.attach_dof_handler(discretization.dof_handler);
-    data_out.add_data_vector(
-      displacement,
-      std::vector<std::string>(dim, "displacement"),
-      DataOut<dim>::type_dof_data,
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
-    data_out.add_data_vector(displacement, stress);
-  }
-
-  void
-  add_cell_data(const ElasticModel<dim> &model,
-                const ElementLabels &labels,
-                const dealii::Vector<double> &error_squares)
-  {
-    const auto add = [&](const std::string &name, const auto &value) {
-      cell_values.push_back(cell_data<dim>(model.discretization, value));
-      data_out.add_data_vector(
-        cell_values.back(), name, DataOut<dim>::type_cell_data);
-    };
-    add("side", [&](const unsigned int e) { return labels.side[e]; });
-    add("piece", [&](const unsigned int e) { return labels.piece[e]; });
-    add("material",
-        [&](const unsigned int e) { return model.materials.number(e); });
-    if (error_squares.size() == 0)
-      return;
-    dealii::Vector<float> error(error_squares.size());
-    std::transform(error_squares.begin(),
-                   error_squares.end(),
-                   error.begin(),
-                   [](const double square) { return std::sqrt(square); });
-    cell_values.push_back(std::move(error));
-    data_out.add_data_vector(
-      cell_values.back(), "energy_error", DataOut<dim>::type_cell_data);
-  }
-
-  StressPostprocessor<dim> stress;
-  std::list<dealii::Vector<float>> cell_values;
-  DataOut<dim> data_out;
+  std::unique_ptr<DataOutInterface<dim>> content;
 };
 } // namespace
 
@@ -220,7 +192,7 @@ FrameWriter<dim>::FrameWriter(const OutputDirectory &directory)
 template <int dim>
 void
 FrameWriter<dim>::write(const unsigned int frame,
-                        const ElasticModel<dim> &model,
+                        ElasticModel<dim> &model,
                         const LA::Vector &displacement,
                         const ElementLabels &labels,
                         const dealii::Vector<double> &error_squares)
@@ -230,7 +202,7 @@ FrameWriter<dim>::write(const unsigned int frame,
   const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
   const std::string base      = "frame_" + Utilities::to_string(frame, 4);
   const auto content          = std::make_shared<const Frame<dim>>(
-    model, displacement, labels, error_squares);
+    model, displacement, cell_values(model, labels, error_squares));
   finish();
   sequence.emplace_back(frame, base + (n_ranks == 1 ? ".vtu" : ".pvtu"));
   // MPI is not called from there.

@@ -45,7 +45,7 @@ public:
    */
   void
   write(const unsigned int frame,
-        const ElasticModel<dim> &model,
+        ElasticModel<dim> &model,
         const LA::Vector &displacement,
         const ElementLabels &labels,
         const dealii::Vector<double> &error_squares = {});
