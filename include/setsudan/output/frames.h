@@ -2,7 +2,7 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/output/frame_content.h>
 #include <setsudan/output/output_directory.h>
 
 #include <future>
@@ -11,15 +11,6 @@
 
 namespace Setsudan
 {
-/** What a cell of the body is called in a frame, one value per element. */
-struct ElementLabels
-{
-  /** The side of the newest cut: -1, +1, or 0 where it does not reach. */
-  std::vector<int> side;
-  /** The separate body it belongs to. */
-  std::vector<unsigned int> piece;
-};
-
 /**
  * Writes solved states as frame_NNNN.vtu (or, over several processes, as
  * frame_NNNN.pvtu with one .vtu file each), and the sequence as cut.pvd.
