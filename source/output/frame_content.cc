@@ -124,8 +124,9 @@ template <int dim>
 std::vector<Functions>
 functions_on_grid(const FiniteElement<dim> &element)
 {
+  const QIterated<dim> grid(QTrapezoid<1>(), 2);
   std::vector<Functions> functions;
-  for (const auto &point : QIterated<dim>(QTrapezoid<1>(), 2).get_points())
+  for (const auto &point : grid.get_points())
     {
       functions.emplace_back();
       for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)

@@ -1,8 +1,13 @@
-// What a sparse factor leaves of the unknowns that come last is what they are
-// to each other; and a dense factor that grows is that of the whole matrix.
+// What is left of a matrix when all unknowns but some are eliminated is what
+// these are to each other, in one part or in two that are factored side by
+// side; the rest is recovered from them, all of it or some; and a dense factor
+// that grows is that of the whole matrix.
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <setsudan/solver/condensation.h>
 #include <setsudan/solver/growing_cholesky.h>
-#include <setsudan/solver/schur_complement.h>
+#include <setsudan/solver/uncoupled_parts.h>
 
 #include <cmath>
 
@@ -58,23 +63,23 @@ test_solve(SolvedModel<3> &solved)
 {
   const LA::SparseMatrix matrix = assemble(solved);
   const LA::Vector b = condense(solved.model.supports, solved.model.loads);
-  LA::Vector x       = solve(CholeskyFactor(matrix, {}, 0), b);
+  LA::Vector x       = solve(CholeskyFactor(matrix), b);
   x -= solved.displacement;
   check_below(
     "solve", x.linfty_norm() / solved.displacement.linfty_norm(), 1e-10);
 }
 
 
-/** S times that part of the inverse is the identity, with a shift or without.
- */
+/** S times that part of the inverse is the identity. */
 void
-test_complement(SolvedModel<3> &solved, const double shift)
+test_complement(SolvedModel<3> &solved)
 {
   const LA::SparseMatrix matrix = assemble(solved);
   const auto last               = some_unknowns(solved);
-  const CholeskyFactor whole(matrix, {}, 0), parted(matrix, last, shift);
-  const SchurComplement complement(parted, shift);
-  double error = 0;
+  const CholeskyFactor whole(matrix);
+  const Condensation condensation(matrix, last);
+  const SchurComplement &complement = condensation.stiffness();
+  double error                      = 0;
   for (const unsigned int j : {0u, 1u, unsigned(last.size() - 1)})
     {
       LA::Vector unit    = solved.displacement;
@@ -93,11 +98,71 @@ test_complement(SolvedModel<3> &solved, const double shift)
 }
 
 
+/** A matrix several times along the diagonal. */
+LA::SparseMatrix
+repeat(const LA::SparseMatrix &matrix, const unsigned int n_times)
+{
+  const unsigned int n = matrix.m();
+  const IndexSet all   = complete_index_set(n_times * n);
+  DynamicSparsityPattern pattern(n_times * n);
+  for (unsigned int part = 0; part < n_times; ++part)
+    for (const auto &entry : matrix)
+      pattern.add(part * n + entry.row(), part * n + entry.column());
+  LA::SparseMatrix result;
+  result.reinit(all, all, pattern, MPI_COMM_WORLD);
+  for (unsigned int part = 0; part < n_times; ++part)
+    for (const auto &entry : matrix)
+      result.set(
+        part * n + entry.row(), part * n + entry.column(), entry.value());
+  result.compress(VectorOperation::insert);
+  return result;
+}
+
+
+/** The solution by way of some unknowns is that of the whole matrix. */
+void
+test_parts(SolvedModel<3> &solved, const unsigned int n_parts)
+{
+  const LA::SparseMatrix matrix = repeat(assemble(solved), n_parts);
+  std::cout << "parts: " << uncoupled_parts(matrix).size() << std::endl;
+  std::vector<unsigned int> cut;
+  const unsigned int n = solved.displacement.size();
+  for (unsigned int part = 0; part < n_parts; ++part)
+    for (const unsigned int unknown : some_unknowns(solved))
+      cut.push_back(part * n + unknown);
+  LA::Vector b(complete_index_set(n_parts * n), MPI_COMM_WORLD);
+  for (unsigned int i = 0; i < b.size(); ++i)
+    b(i) = std::sin(7. * i);
+  const LA::Vector expected = solve(CholeskyFactor(matrix), b);
+
+  const Condensation condensation(matrix, cut);
+  const auto eliminated = condensation.eliminate(b);
+  GrowingCholesky of_cut(cut.size());
+  of_cut.append(cut.size(), condensation.stiffness());
+  auto u = eliminated.on_cut;
+  of_cut.solve(u);
+  LA::Vector x = b;
+  condensation.recover(eliminated, u, x);
+  x -= expected;
+  check_below("all", x.linfty_norm() / expected.linfty_norm(), 1e-11);
+
+  const std::vector<unsigned int> wanted{5, 77, n * n_parts - 20};
+  const auto steps = condensation.steps_for(wanted);
+  LA::Vector some  = b;
+  condensation.recover(eliminated, u, some, &steps);
+  double error = 0;
+  for (const unsigned int unknown : wanted)
+    error = std::max(error, std::abs(some(unknown) - expected(unknown)));
+  check_below("some", error / expected.linfty_norm(), 1e-11);
+}
+
+
 void
 test_growing(SolvedModel<3> &solved)
 {
   const auto last = some_unknowns(solved);
-  const SchurComplement s(CholeskyFactor(assemble(solved), last, 0), 0);
+  const Condensation condensation(assemble(solved), last);
+  const SchurComplement &s = condensation.stiffness();
   GrowingCholesky growing(last.size());
   const auto append = [&](const unsigned int n) {
     growing.append(n - growing.size(), s);
@@ -143,7 +208,7 @@ test_failures()
       for (unsigned int i = 0; i < 6; ++i)
         matrix.set(i, i, -matrix.diag_element(i));
       matrix.compress(VectorOperation::insert);
-      CholeskyFactor factor(matrix, {}, 0);
+      CholeskyFactor factor(matrix);
       std::cout << "FAILED: a matrix was factored that is not definite\n";
     }
   catch (const SolverError &error)
@@ -171,8 +236,9 @@ main(int argc, char **argv)
   return run_test(argc, argv, [] {
     SolvedModel<3> solved(bar);
     test_solve(solved);
-    test_complement(solved, 0);
-    test_complement(solved, 3);
+    test_complement(solved);
+    test_parts(solved, 1);
+    test_parts(solved, 2);
     test_growing(solved);
     test_failures();
   });
