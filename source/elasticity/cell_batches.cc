@@ -177,6 +177,12 @@ typename CellBatches<dim>::Vector
 CellBatches<dim>::imported(const LA::Vector &vector) const
 {
   Vector copy(known);
+  if (vector.has_ghost_elements())
+    {
+      for (const auto index : discretization.owned)
+        copy(index) = vector(index);
+      return copy;
+    }
   const double *const values = vector.trilinos_vector()[0];
   std::copy(values, values + copy.locally_owned_size(), copy.begin());
   return copy;

@@ -48,7 +48,7 @@ public:
   void
   apply(const Vector &displacement, Vector &forces) const;
 
-  /** A copy of a vector without ghosts that has room for them. */
+  /** A copy of this process's own part of a vector, with room for ghosts. */
   Vector
   imported(const LA::Vector &vector) const;
 
