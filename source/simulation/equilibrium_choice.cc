@@ -41,6 +41,17 @@ void
 EquilibriumChoice<dim>::forget()
 {
   condensed.reset();
+  learn_from_ladder();
+  ladder.reset();
+}
+
+
+
+template <int dim>
+void
+EquilibriumChoice<dim>::learn_from_ladder()
+{
+  has_fallen_back = has_fallen_back || (ladder && ladder->has_fallen_back());
 }
 
 
@@ -141,9 +152,9 @@ EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
       condensed->set_constraints(held))
     return condensed;
   condensed.reset();
-  // What has failed once is not tried again.
+  learn_from_ladder();
   ladder = std::make_shared<EquilibriumLadder<dim>>(
-    model, held, scene.solver, ladder && ladder->has_fallen_back());
+    model, held, scene.solver, has_fallen_back, ladder.get());
   return ladder;
 }
 

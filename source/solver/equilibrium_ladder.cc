@@ -19,7 +19,8 @@ EquilibriumLadder<dim>::EquilibriumLadder(
   ElasticModel<dim> &model,
   std::shared_ptr<const Constraints> held,
   const SolverParameters &parameters,
-  const bool has_fallen_back)
+  const bool has_fallen_back,
+  const EquilibriumLadder<dim> *last)
   : model(model)
   , constraints(std::move(held))
   , parameters(parameters)
@@ -27,7 +28,10 @@ EquilibriumLadder<dim>::EquilibriumLadder(
 {
   if (!fell_back && is_matrix_free(model, parameters))
     multigrid = std::make_unique<MultigridEquilibrium<dim>>(
-      model, *constraints, parameters);
+      model,
+      *constraints,
+      parameters,
+      last != nullptr ? last->multigrid.get() : nullptr);
   else
     assemble();
 }

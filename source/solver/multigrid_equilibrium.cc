@@ -5,7 +5,9 @@
 #include <setsudan/solver/p_multigrid.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
+#include <utility>
 
 namespace Setsudan
 {
@@ -22,7 +24,8 @@ template <int dim>
 MultigridEquilibrium<dim>::MultigridEquilibrium(
   ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
-  const SolverParameters &parameters)
+  const SolverParameters &parameters,
+  const MultigridEquilibrium<dim> *last)
   : ConstrainedEquilibrium<dim>(model, constraints, parameters)
   , max_iterations(std::min(parameters.max_iterations, most_iterations))
   , tolerance(parameters.tolerance)
@@ -33,8 +36,31 @@ MultigridEquilibrium<dim>::MultigridEquilibrium(
                                                   *batches.partitioner());
   stiffness           = std::make_unique<const ConstrainedStiffness<dim>>(
     model.discretization, batches, *lines);
-  multigrid =
-    std::make_unique<const PMultigrid<dim>>(model, constraints, *stiffness);
+  prepare_coarse(model, constraints, last);
+  multigrid = std::make_unique<const PMultigrid<dim>>(*stiffness, coarse);
+}
+
+
+
+template <int dim>
+void
+MultigridEquilibrium<dim>::prepare_coarse(
+  ElasticModel<dim> &model,
+  const AffineConstraints<double> &constraints,
+  const MultigridEquilibrium<dim> *last)
+{
+  // To make a new one takes about as long as so many iterations.
+  constexpr unsigned int worth_iterations = 6;
+  if (last != nullptr &&
+      last->iterations <= last->iterations_when_new + worth_iterations &&
+      last->coarse->obeys(*lines, model.batches()))
+    {
+      coarse              = last->coarse;
+      iterations_when_new = last->iterations_when_new;
+      return;
+    }
+  coarse =
+    std::make_shared<const CoarseCorrection<dim>>(model, constraints, *lines);
 }
 
 
@@ -53,15 +79,15 @@ MultigridEquilibrium<dim>::solve_condensed(const LA::Vector &loads,
   const auto &batches = stiffness->batches;
   const Vector b      = batches.imported(loads);
   Vector x            = batches.imported(guess);
-  iterations          = 0;
-  if (scale > 0)
-    iterate(x, b);
-  else
-    x = 0;
-
   Vector rest(b), correction(b);
-  stiffness->vmult(rest, x);
-  rest.sadd(-1., 1., b);
+  iterations = 0;
+  if (scale > 0)
+    iterate(x, b, rest);
+  else
+    x = rest = 0;
+  if (iterations_when_new == 0)
+    iterations_when_new = iterations;
+
   multigrid->vmult(correction, rest);
   const LA::Vector result = batches.exported(x);
   quality =
@@ -75,18 +101,30 @@ MultigridEquilibrium<dim>::solve_condensed(const LA::Vector &loads,
 
 template <int dim>
 void
-MultigridEquilibrium<dim>::iterate(Vector &x, const Vector &b)
+MultigridEquilibrium<dim>::iterate(Vector &x, const Vector &b, Vector &rest)
 {
-  SolverControl control(max_iterations, tolerance * b.l2_norm());
-  try
+  // Where cells are slender, many iterations take for solved what is not.
+  const double scale = b.l2_norm();
+  double error       = std::numeric_limits<double>::max();
+  bool goes_on       = true;
+  while (goes_on)
     {
-      SolverCG<Vector>(control).solve(*stiffness, x, b, *multigrid);
+      SolverControl control(max_iterations - iterations, tolerance * scale);
+      try
+        {
+          SolverCG<Vector>(control).solve(*stiffness, x, b, *multigrid);
+        }
+      catch (const SolverControl::NoConvergence &)
+        {
+          // The true residual decides.
+        }
+      iterations += control.last_step();
+      stiffness->vmult(rest, x);
+      rest.sadd(-1., 1., b);
+      const double last = std::exchange(error, rest.l2_norm());
+      goes_on           = iterations < max_iterations && error < last / 2 &&
+                error > accepted * scale;
     }
-  catch (const SolverControl::NoConvergence &)
-    {
-      // The true residual decides.
-    }
-  iterations = control.last_step();
 }
 
 

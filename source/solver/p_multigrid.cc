@@ -15,18 +15,13 @@ constexpr unsigned int n_steps = 15;
 
 
 template <int dim>
-PMultigrid<dim>::PMultigrid(ElasticModel<dim> &model,
-                            const AffineConstraints<double> &constraints,
-                            const ConstrainedStiffness<dim> &stiffness)
+PMultigrid<dim>::PMultigrid(
+  const ConstrainedStiffness<dim> &stiffness,
+  std::shared_ptr<const CoarseCorrection<dim>> coarse_correction)
   : stiffness(stiffness)
-  , space(model, constraints, stiffness.lines)
-  , coarse_stiffness(space.stiffness().matrix())
+  , coarse(std::move(coarse_correction))
   , rest(stiffness.batches.partitioner())
-  , coarse_forces(space.partitioner())
-  , coarse_correction(space.partitioner())
 {
-  coarse_solver.initialize(*coarse_stiffness, space.rigid_modes());
-
   typename Smoother::AdditionalData data;
   data.degree              = degree;
   data.smoothing_range     = range;
@@ -48,9 +43,7 @@ PMultigrid<dim>::vmult(Vector &result, const Vector &forces) const
   smoother.vmult(result, forces);
   stiffness.vmult(rest, result);
   rest.sadd(-1., 1., forces);
-  space.restrict_forces(coarse_forces, rest);
-  coarse_solver.vmult(coarse_correction, coarse_forces);
-  space.prolongate_and_add(result, coarse_correction);
+  coarse->add(result, rest, stiffness.lines);
   smoother.step(result, forces);
 }
 

@@ -16,7 +16,6 @@ VertexSpace<dim>::VertexSpace(ElasticModel<dim> &model,
                               const ConstraintLines &lines)
   : model(model)
   , batches(model.batches())
-  , lines(lines)
   , rows(model.discretization, batches, constraints, lines)
 {
   make_transfer();
@@ -33,12 +32,11 @@ VertexSpace<dim>::make_transfer()
   starts.push_back(0);
   for (unsigned int at = 0; at < n_owned; ++at)
     {
-      if (!lines.is_constrained(at))
-        for (const auto &[number, weight] : rows.row_of(at))
-          {
-            numbers.push_back(number);
-            weights.push_back(weight);
-          }
+      for (const auto &[number, weight] : rows.row_of(at))
+        {
+          numbers.push_back(number);
+          weights.push_back(weight);
+        }
       starts.push_back(numbers.size());
     }
   const IndexSet owned = rows.owned_numbers();
@@ -66,11 +64,15 @@ VertexSpace<dim>::partitioner() const
 
 template <int dim>
 void
-VertexSpace<dim>::prolongate_and_add(Vector &fine, Vector &coarse) const
+VertexSpace<dim>::prolongate_and_add(Vector &fine,
+                                     Vector &coarse,
+                                     const ConstraintLines *now) const
 {
   coarse.update_ghost_values();
   for (unsigned int at = 0; at + 1 < starts.size(); ++at)
     {
+      if (now != nullptr && now->is_constrained(at))
+        continue;
       double sum = 0;
       for (unsigned int e = starts[at]; e < starts[at + 1]; ++e)
         sum += weights[e] * coarse.local_element(columns[e]);

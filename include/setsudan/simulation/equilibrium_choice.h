@@ -85,8 +85,13 @@ private:
            const bool all_held,
            const OtherStates &others);
 
+  /** What has failed once is not tried again. */
+  void
+  learn_from_ladder();
+
   const Scene<dim> &scene;
   bool has_single_states = false;
+  bool has_fallen_back   = false;
   std::shared_ptr<CondensedEquilibrium<dim>> condensed;
   /** The last one for a single state. */
   std::shared_ptr<EquilibriumLadder<dim>> ladder;

@@ -25,12 +25,17 @@ class EquilibriumLadder : public EquilibriumSolver
 public:
   using Constraints = dealii::AffineConstraints<double>;
 
-  /** @param has_fallen_back whether multigrid has failed before, under other
-   * constraints, and is not to be tried. */
+  /**
+   * @param has_fallen_back whether multigrid has failed before and is not to be
+   *   tried.
+   * @param last            the ladder for the same model under other
+   * constraints, of which is kept what serves here; or nothing.
+   */
   EquilibriumLadder(ElasticModel<dim> &model,
                     std::shared_ptr<const Constraints> constraints,
                     const SolverParameters &parameters,
-                    const bool has_fallen_back = false);
+                    const bool has_fallen_back         = false,
+                    const EquilibriumLadder<dim> *last = nullptr);
 
   ~EquilibriumLadder() override;
 

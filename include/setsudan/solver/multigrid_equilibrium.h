@@ -12,6 +12,8 @@ template <int dim>
 class ConstrainedStiffness;
 template <int dim>
 class PMultigrid;
+template <int dim>
+class CoarseCorrection;
 
 /** The equilibrium for one set of constraints without a matrix: conjugate
  * gradients, preconditioned by multigrid. */
@@ -21,10 +23,14 @@ class MultigridEquilibrium : public ConstrainedEquilibrium<dim>
 public:
   using Vector = typename CellBatches<dim>::Vector;
 
-  /** As the base. */
+  /** As the base.
+   *
+   * @param last the equilibrium under constraints that were a little different,
+   *   from which is kept what serves here; or nothing. */
   MultigridEquilibrium(ElasticModel<dim> &model,
                        const dealii::AffineConstraints<double> &constraints,
-                       const SolverParameters &parameters);
+                       const SolverParameters &parameters,
+                       const MultigridEquilibrium<dim> *last = nullptr);
 
   ~MultigridEquilibrium() override;
 
@@ -36,8 +42,15 @@ private:
   LA::Vector
   solve_condensed(const LA::Vector &b, const LA::Vector &guess) override;
 
+  /** @param rest what is left over in the end. */
   void
-  iterate(Vector &x, const Vector &b);
+  iterate(Vector &x, const Vector &b, Vector &rest);
+
+  /** Take over the coarse correction where that saves time, or make one. */
+  void
+  prepare_coarse(ElasticModel<dim> &model,
+                 const dealii::AffineConstraints<double> &constraints,
+                 const MultigridEquilibrium<dim> *last);
 
   [[noreturn]] void
   fail() const;
@@ -50,7 +63,10 @@ private:
   /** In the order in which each needs the one before. */
   std::unique_ptr<const ConstraintLines> lines;
   std::unique_ptr<const ConstrainedStiffness<dim>> stiffness;
+  std::shared_ptr<const CoarseCorrection<dim>> coarse;
   std::unique_ptr<const PMultigrid<dim>> multigrid;
   unsigned int iterations = 0;
+  /** The iterations of the first solve with this coarse correction. */
+  unsigned int iterations_when_new = 0;
 };
 } // namespace Setsudan

@@ -3,9 +3,8 @@
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
 
-#include <setsudan/solver/algebraic_multigrid.h>
+#include <setsudan/solver/coarse_correction.h>
 #include <setsudan/solver/constrained_stiffness.h>
-#include <setsudan/solver/vertex_space.h>
 
 #include <memory>
 
@@ -25,10 +24,10 @@ class PMultigrid
 public:
   using Vector = typename CellBatches<dim>::Vector;
 
-  /** @param stiffness must live as long. */
-  PMultigrid(ElasticModel<dim> &model,
-             const dealii::AffineConstraints<double> &constraints,
-             const ConstrainedStiffness<dim> &stiffness);
+  /** @param stiffness must live as long.
+   * @param coarse    one that obeys the constraints of the stiffness. */
+  PMultigrid(const ConstrainedStiffness<dim> &stiffness,
+             std::shared_ptr<const CoarseCorrection<dim>> coarse);
 
   void
   vmult(Vector &result, const Vector &forces) const;
@@ -38,10 +37,8 @@ private:
     dealii::PreconditionChebyshev<ConstrainedStiffness<dim>, Vector>;
 
   const ConstrainedStiffness<dim> &stiffness;
-  const VertexSpace<dim> space;
-  const std::unique_ptr<const Epetra_CrsMatrix> coarse_stiffness;
-  AlgebraicMultigrid coarse_solver;
+  const std::shared_ptr<const CoarseCorrection<dim>> coarse;
   Smoother smoother;
-  mutable Vector rest, coarse_forces, coarse_correction;
+  mutable Vector rest;
 };
 } // namespace Setsudan

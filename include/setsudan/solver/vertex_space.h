@@ -27,7 +27,8 @@ public:
   using Index       = dealii::types::global_dof_index;
 
   /** @param constraints homogeneous and closed.
-   * @param lines        the same for the model's batches. */
+   * @param lines        the same for the model's batches. Both are needed as
+   * long as more than transfers are asked for. */
   VertexSpace(ElasticModel<dim> &model,
               const Constraints &constraints,
               const ConstraintLines &lines);
@@ -36,10 +37,13 @@ public:
   const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
   partitioner() const;
 
-  /** Add a displacement of this space to one of the body; constrained unknowns
-   * are left as they are. */
+  /** Add a displacement of this space to one of the body.
+   *
+   * @param now constraints whose unknowns are left as they are; or nothing. */
   void
-  prolongate_and_add(Vector &fine, Vector &coarse) const;
+  prolongate_and_add(Vector &fine,
+                     Vector &coarse,
+                     const ConstraintLines *now) const;
 
   /** The transpose, for forces. */
   void
@@ -81,7 +85,6 @@ private:
 
   ElasticModel<dim> &model;
   const CellBatches<dim> &batches;
-  const ConstraintLines &lines;
   const VertexRows<dim> rows;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> coarse_partitioner;
   /** The transfer, row by row of this process's unknowns. */
