@@ -74,10 +74,12 @@ test_products()
                                            model.stiffness,
                                            model.discretization.with_ghosts(u));
     forces -= old;
-    std::cout << name << std::endl;
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << name << std::endl;
     check_below_on_all(
       "  difference", forces.linfty_norm() / old.linfty_norm(), 1e-14);
-    check_below_on_all("  of the matrices", difference_of_matrices(model), 1e-14);
+    check_below_on_all(
+      "  of the matrices", difference_of_matrices(model), 1e-14);
   });
 }
 
