@@ -58,9 +58,13 @@ def read_parameters(path):
     return parameters
 
 
+TEXTS = ("event", "row_pieces")
+COUNTS = ("frame", "cut", "row", "released_rows", "pieces")
+
+
 def convert(line):
-    """A line of the statistics with its numbers as numbers."""
-    return {name: value if name == "event" else
-            int(value) if name in ("frame", "cut", "row", "released_rows",
-                                   "pieces") else float(value)
-            for name, value in line.items()}
+    """A line of the statistics with its numbers as numbers; those of the whole body
+    are missing where only the front is known."""
+    return {name: value if name in TEXTS else
+            int(value) if name in COUNTS else float(value)
+            for name, value in line.items() if value}
