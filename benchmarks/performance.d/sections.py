@@ -20,6 +20,7 @@ ANEW = {"Solver/Method": "direct", "Division/Solve": "every row anew"}
 FACTORED = {"Division/Solve": "one factorization"}
 GROWING = {"Division/Solve": "condensed"}
 ITERATIVE = {"Division/Solve": "iterative"}
+AT_FRONT = {**FACTORED, "Output/Statistics": "front"}
 
 
 def decks(scene, values, directory):
@@ -114,8 +115,9 @@ def whole_cut(n=20):
     unit = one["set_up"] + one["solve"]
     rows = [["one uncut factorization and solve", "", 1, f"{one['memory']:.0f}"]]
     results = {}
-    for name, values in (("one factorization", FACTORED), ("condensed", GROWING),
-                         ("iterative", ITERATIVE)):
+    for name, values in (("one factorization", FACTORED),
+                         ("one factorization, rows at their front only", AT_FRONT),
+                         ("condensed", GROWING), ("iterative", ITERATIVE)):
         def run():
             result = program(measure.CUBE, {**cube(n), **values})
             return (result.seconds, result.memory,
@@ -186,19 +188,48 @@ def operator():
             f"second (dgemm) and moves {result['core_bytes'] / 1e9:.0f} GB/s.")
 
 
+def one_event(n, values):
+    """The milliseconds of a row, in the median."""
+    lines = [line for line in program(measure.CUBE, {**cube(n), **values}).events
+             if line["event"] == "deform"]
+    seconds = [float(line["seconds"]) for line in lines]
+    # The second row prepares the cut.
+    return statistics.median(b - a for a, b in zip(seconds[1:], seconds[2:])) * 1e3
+
+
 def events():
-    """The time of one row in small scenes."""
+    """The time of one row in small scenes, once the cut is prepared."""
+    rows = [[f"{n}^3", *(number(remembered(f"event {n}, {name}",
+                                           lambda: one_event(n, values)))
+                         for name, values in (("whole", FACTORED), ("front", AT_FRONT)))]
+            for n in (4, 6, 8)]
+    return table(["elements", "one row [ms, median]", "at its front only"], rows)
+
+
+def hard_bodies(n=12):
+    """Iterations for bodies that are slender, nearly incompressible or uneven."""
+    def iterations(assignments):
+        try:
+            result = benchmark("one_solve", "multigrid", n, *assignments)
+            return result["iterations"], result["residual"]
+        except RuntimeError:
+            return None, None
+
+    bodies = [("cube", "Body/Size=10,10,10"),
+              *((f"{text}, {ratio} to 1", f"Body/Size={size}")
+                for ratio in (10, 30, 100)
+                for text, size in (("plates", f"{10 * ratio},{10 * ratio},10"),
+                                   ("bars", f"{10 * ratio},10,10"),
+                                   ("columns", f"10,10,{10 * ratio}"))),
+              *((f"Poisson's ratio {nu}", f"Material/Poisson's ratio={nu}")
+                for nu in (.4, .45, .49, .499))]
     rows = []
-    for n in (4, 6, 8):
-        def run():
-            lines = [line for line in program(measure.CUBE, {**cube(n), **FACTORED}).events
-                     if line["event"] == "deform"]
-            seconds = [float(line["seconds"]) for line in lines]
-            # The second row prepares the cut.
-            return statistics.median(
-                b - a for a, b in zip(seconds[1:], seconds[2:])) * 1e3
-        rows.append([f"{n}^3", number(remembered(f"event {n}", run))])
-    return table(["elements", "one row [ms, median]"], rows)
+    for name, assignment in bodies:
+        found, residual = remembered(f"hard {n}, {name}",
+                                     lambda: iterations([assignment]))
+        rows.append([name, f"{found:.0f}" if found else "falls back",
+                     f"{residual:.1e}" if found else ""])
+    return table(["shape of the elements and of the body", "iterations", "residual"], rows)
 
 
 def frames(n=20):
@@ -217,6 +248,7 @@ SECTIONS = {
     "The equations alone": one_equation,
     "A whole cut": whole_cut,
     "From a thousand to ten million unknowns": sizes,
+    "Slender and nearly incompressible bodies": hard_bodies,
     "The product without a matrix": operator,
     "The smallest scenes": events,
     "Frames": frames,

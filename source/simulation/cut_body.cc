@@ -103,6 +103,7 @@ CutBody<dim>::approach(const Cut<dim> &cut)
   split = split_mesh(mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
+  n_split_rows = 0;
   cells_at_seam.reset();
   seams.push_back(make_seam(begun_cuts.back(), split));
   return true;
@@ -135,6 +136,7 @@ void
 CutBody<dim>::release(const unsigned int row)
 {
   seam().set_row_state(row, state_of_split_rows());
+  n_split_rows = row + 1;
   find_loose_pieces();
 }
 
@@ -182,6 +184,7 @@ CutBody<dim>::equilibrium_under(AffineConstraints<double> &&constraints)
 {
   return choice.solver(*model,
                        seams.empty() ? nullptr : &seam(),
+                       n_split_rows,
                        std::move(constraints),
                        all_held(),
                        other_states());

@@ -143,6 +143,7 @@ template <int dim>
 std::shared_ptr<EquilibriumSolver>
 EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
                                const Seam<dim> *seam,
+                               const unsigned int n_split_rows,
                                Constraints &&constraints,
                                const bool all_held,
                                const OtherStates &others)
@@ -153,8 +154,9 @@ EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
     return condensed;
   condensed.reset();
   learn_from_ladder();
-  ladder = std::make_shared<EquilibriumLadder<dim>>(
-    model, held, scene.solver, has_fallen_back, ladder.get());
+  const bool keeps = n_split_rows % rows_per_preparation != 0;
+  ladder           = std::make_shared<EquilibriumLadder<dim>>(
+    model, held, scene.solver, has_fallen_back, keeps ? ladder.get() : nullptr);
   return ladder;
 }
 

@@ -95,14 +95,20 @@ find_earlier_run(const Scene<dim> &scene,
 namespace
 {
 /** Prepare the equations of a row as for its solve: a factor that grows from
- * row to row has the same digits only if it grows by the same steps. */
+ * row to row has the same digits only if it grows by the same steps, and what
+ * multigrid keeps from rows before the last one must be there. */
 template <int dim>
 void
 repeat_preparation(const Scene<dim> &scene,
                    const unsigned int row,
+                   const unsigned int last_row,
                    CutBody<dim> &body)
 {
-  if (!body.why_anew().empty() || body.is_left_out(row))
+  constexpr unsigned int n = EquilibriumChoice<dim>::rows_per_preparation;
+  const bool is_kept =
+    !scene.solver.is_direct(body.model->discretization.dof_handler.n_dofs()) &&
+    row >= last_row / n * n;
+  if ((!body.why_anew().empty() && !is_kept) || body.is_left_out(row))
     return;
   body.equilibrium();
   if (scene.yield.needs_seam())
@@ -129,13 +135,13 @@ repeat_surgeries(const Scene<dim> &scene,
         continue;
       body.open();
       if (!divided && scene.yield.needs_seam())
-        repeat_preparation(scene, 0, body);
+        repeat_preparation(scene, 0, n_split, body);
       for (unsigned int row = 0; row < n_split; ++row)
         {
           if (!body.is_left_out(row))
             body.release(row);
           if (!divided)
-            repeat_preparation(scene, row + 1, body);
+            repeat_preparation(scene, row + 1, n_split, body);
         }
       if (divided)
         body.divide();

@@ -36,31 +36,12 @@ MultigridEquilibrium<dim>::MultigridEquilibrium(
                                                   *batches.partitioner());
   stiffness           = std::make_unique<const ConstrainedStiffness<dim>>(
     model.discretization, batches, *lines);
-  prepare_coarse(model, constraints, last);
+  if (last != nullptr && last->coarse->obeys(*lines, batches))
+    coarse = last->coarse;
+  else
+    coarse =
+      std::make_shared<const CoarseCorrection<dim>>(model, constraints, *lines);
   multigrid = std::make_unique<const PMultigrid<dim>>(*stiffness, coarse);
-}
-
-
-
-template <int dim>
-void
-MultigridEquilibrium<dim>::prepare_coarse(
-  ElasticModel<dim> &model,
-  const AffineConstraints<double> &constraints,
-  const MultigridEquilibrium<dim> *last)
-{
-  // To make a new one takes about as long as so many iterations.
-  constexpr unsigned int worth_iterations = 6;
-  if (last != nullptr &&
-      last->iterations <= last->iterations_when_new + worth_iterations &&
-      last->coarse->obeys(*lines, model.batches()))
-    {
-      coarse              = last->coarse;
-      iterations_when_new = last->iterations_when_new;
-      return;
-    }
-  coarse =
-    std::make_shared<const CoarseCorrection<dim>>(model, constraints, *lines);
 }
 
 
@@ -85,8 +66,6 @@ MultigridEquilibrium<dim>::solve_condensed(const LA::Vector &loads,
     iterate(x, b, rest);
   else
     x = rest = 0;
-  if (iterations_when_new == 0)
-    iterations_when_new = iterations;
 
   multigrid->vmult(correction, rest);
   const LA::Vector result = batches.exported(x);

@@ -189,6 +189,7 @@ private:
   const Scene<dim> &scene;
   EquilibriumChoice<dim> choice;
   std::vector<BegunCut> begun_cuts;
+  unsigned int n_split_rows = 0;
   /** The mesh behind the newest cut's surgery, before it is made. */
   CoarseMesh<dim> split;
   /** What the pieces will be when the newest cut has gone through. */

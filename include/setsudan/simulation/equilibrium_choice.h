@@ -60,11 +60,20 @@ public:
   bool
   is_foreseen(const bool all_held) const;
 
+  /** Multigrid is prepared anew behind so many rows. Each row in between takes
+   * two iterations more than the one before, and has its coarse correction for
+   * nothing. It is a fixed number so that a run which is resumed gets the same
+   * digits. */
+  static constexpr unsigned int rows_per_preparation = 4;
+
   /** The equilibrium under constraints. It may be the same object at the next
-   * call, for others. */
+   * call, for others.
+   *
+   * @param n_split_rows of the newest seam. */
   std::shared_ptr<EquilibriumSolver>
   solver(ElasticModel<dim> &model,
          const Seam<dim> *seam,
+         const unsigned int n_split_rows,
          Constraints &&constraints,
          const bool all_held,
          const OtherStates &others);

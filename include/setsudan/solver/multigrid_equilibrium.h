@@ -26,7 +26,7 @@ public:
   /** As the base.
    *
    * @param last the equilibrium under constraints that were a little different,
-   *   from which is kept what serves here; or nothing. */
+   *   whose coarse correction is kept if it serves here; or nothing. */
   MultigridEquilibrium(ElasticModel<dim> &model,
                        const dealii::AffineConstraints<double> &constraints,
                        const SolverParameters &parameters,
@@ -46,11 +46,6 @@ private:
   void
   iterate(Vector &x, const Vector &b, Vector &rest);
 
-  /** Take over the coarse correction where that saves time, or make one. */
-  void
-  prepare_coarse(ElasticModel<dim> &model,
-                 const dealii::AffineConstraints<double> &constraints,
-                 const MultigridEquilibrium<dim> *last);
 
   [[noreturn]] void
   fail() const;
@@ -66,7 +61,5 @@ private:
   std::shared_ptr<const CoarseCorrection<dim>> coarse;
   std::unique_ptr<const PMultigrid<dim>> multigrid;
   unsigned int iterations = 0;
-  /** The iterations of the first solve with this coarse correction. */
-  unsigned int iterations_when_new = 0;
 };
 } // namespace Setsudan
