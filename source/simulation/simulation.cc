@@ -173,14 +173,13 @@ Simulation<dim>::make_whole()
 {
   if (state.is_whole)
     return;
-  State<dim> whole = solve_state(scene,
-                                 body,
-                                 blade_on_row(body, event.row),
-                                 state.load_factor,
-                                 state.displacement);
-  whole.stress     = state.stress;
-  whole.yields     = state.yields;
-  state            = std::move(whole);
+  const auto blade = blade_on_row(body, event.row);
+  State<dim> whole =
+    solve_state(scene, body, blade, state.load_factor, state.displacement);
+  whole.stress = state.stress;
+  whole.yields = state.yields;
+  state        = std::move(whole);
+  describe_state(scene, body, blade, state, event);
 }
 
 
