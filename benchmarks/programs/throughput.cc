@@ -53,6 +53,7 @@ shortest_time(const Work &work)
 double
 flops_of_core()
 {
+  const SingleThreadedBlas one_core;
   const int n = 1200;
   std::vector<double> a(n * n, 1.), b(n * n, 1.), c(n * n);
   const Teuchos::BLAS<int, double> blas;

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/simulation/announcements.h>
+#include <setsudan/simulation/state.h>
 #include <setsudan/solver/equilibrium_ladder.h>
 
 #include <algorithm>
@@ -84,15 +85,22 @@ describe_roughness(const Cut<dim> &cut)
 
 template <int dim>
 std::string
-describe_solve(const CutBody<dim> &body)
+describe_solve(const Scene<dim> &scene, const CutBody<dim> &body)
 {
   const std::string why_anew = body.why_anew();
-  if (!why_anew.empty())
-    return "  every row is solved anew, " + why_anew + ".";
-  return std::string("  all rows are solved from one factorization, condensed "
-                     "onto the cut, ") +
-         (body.is_foreseen() ? "in the order in which they split."
-                             : "which grows as they split.");
+  std::string line           = "  every row is solved anew, " + why_anew;
+  if (why_anew.empty())
+    line = std::string("  all rows are solved from one factorization, "
+                       "condensed onto the cut, ") +
+           (body.is_foreseen() ? "in the order in which they split"
+                               : "which grows as they split");
+  if (!scene.output.front_only)
+    return line + ".";
+  const std::string why = why_whole(scene, body);
+  return line + (why.empty()
+                   ? "; between the first and the last they are "
+                     "computed at their front only."
+                   : "; they are known in the whole body, " + why + ".");
 }
 
 
@@ -150,11 +158,11 @@ describe_cut(const CutBody<3> &, const unsigned int);
 template std::string
 describe_roughness(const Cut<2> &);
 template std::string
-describe_solve(const CutBody<2> &);
+describe_solve(const Scene<2> &, const CutBody<2> &);
 template std::string
 describe_roughness(const Cut<3> &);
 template std::string
-describe_solve(const CutBody<3> &);
+describe_solve(const Scene<3> &, const CutBody<3> &);
 template std::vector<std::string>
 describe_loose_pieces(const Scene<2> &,
                       const CutBody<2> &,

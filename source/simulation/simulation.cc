@@ -273,12 +273,10 @@ template <int dim>
 bool
 Simulation<dim>::front_is_enough(const unsigned int row) const
 {
-  using Frames       = OutputParameters::Frames;
-  const auto &output = scene.output;
-  return output.front_only && output.frames != Frames::every_row &&
-         !output.node_tables && !output.calculix_decks &&
-         !scene.accuracy.estimate && !scene.yield.needs_seam() && row > 0 &&
+  // The first row and the last are stages, of which more is written.
+  return scene.output.front_only && row > 0 &&
          row + 1 < body.seam().rows().size() &&
+         why_whole(scene, body).empty() &&
          !(checkpoints.keeps() && checkpoints.is_due());
 }
 
@@ -368,7 +366,7 @@ Simulation<dim>::open()
       throw SolverError("The" + line.str().substr(1));
     }
   recorder.progress.show(line.str());
-  recorder.progress.show(describe_solve(body));
+  recorder.progress.show(describe_solve(scene, body));
 }
 
 

@@ -210,6 +210,27 @@ solve_near_front(const Scene<dim> &scene,
 
 
 template <int dim>
+std::string
+why_whole(const Scene<dim> &scene, const CutBody<dim> &body)
+{
+  const auto &output = scene.output;
+  if (output.frames == OutputParameters::Frames::every_row ||
+      output.node_tables || output.calculix_decks)
+    return "since each is written";
+  if (scene.accuracy.estimate)
+    return "since their errors are estimated";
+  if (scene.yield.needs_seam())
+    return "since Yield/Criterion looks at all of it";
+  if (!body.all_held())
+    return "since pieces may come loose";
+  if (!body.why_anew().empty())
+    return "since every row is solved anew";
+  return "";
+}
+
+
+
+template <int dim>
 State<dim>
 solve_ramp(const Scene<dim> &scene,
            CutBody<dim> &body,
@@ -286,6 +307,8 @@ solve_near_front(const Scene<2> &,
                  CutBody<2> &,
                  const BladeLoad<2> &,
                  const double);
+template std::string
+why_whole(const Scene<2> &, const CutBody<2> &);
 template State<2>
 solve_ramp(const Scene<2> &,
            CutBody<2> &,
@@ -320,6 +343,8 @@ solve_near_front(const Scene<3> &,
                  CutBody<3> &,
                  const BladeLoad<3> &,
                  const double);
+template std::string
+why_whole(const Scene<3> &, const CutBody<3> &);
 template State<3>
 solve_ramp(const Scene<3> &,
            CutBody<3> &,

@@ -28,7 +28,7 @@ describe_roughness(const Cut<dim> &cut);
 /** How the rows of the newest cut will be solved, and why. */
 template <int dim>
 std::string
-describe_solve(const CutBody<dim> &body);
+describe_solve(const Scene<dim> &scene, const CutBody<dim> &body);
 
 std::string
 describe_arrest(const Event &event,

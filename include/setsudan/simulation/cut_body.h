@@ -105,6 +105,10 @@ public:
   bool
   is_foreseen() const;
 
+  /** Whether no piece can come loose. */
+  bool
+  all_held() const;
+
   /** Do not prepare for more than one state of a cut. */
   void
   expect_single_states();
@@ -139,10 +143,6 @@ public:
   ElementLabels labels;
 
 private:
-  /** Whether no piece can come loose. */
-  bool
-  all_held() const;
-
   /** Find the pieces that are loose now, and hold or drop them. */
   void
   find_loose_pieces();

@@ -106,6 +106,13 @@ solve_near_front(const Scene<dim> &scene,
                  const BladeLoad<dim> &blade,
                  const double load_factor);
 
+/** Why the rows of the newest cut are known in the whole body though
+ * Output/Statistics asks for their front only, in words that follow "known in
+ * the whole body"; empty where they are known at their front. */
+template <int dim>
+std::string
+why_whole(const Scene<dim> &scene, const CutBody<dim> &body);
+
 /** Solve for the smallest load factor at which a row yields, or the largest
  * allowed one where it does not. The load enters linearly: two solves. */
 template <int dim>
