@@ -207,7 +207,8 @@ def events():
 
 
 def hard_bodies(n=12):
-    """Iterations for bodies that are slender, nearly incompressible or uneven."""
+    """Iterations without a matrix for slender and nearly incompressible bodies; those
+    that need more than 500 are left to another solver."""
     def iterations(assignments):
         try:
             result = benchmark("one_solve", "multigrid", n, *assignments)

@@ -34,13 +34,6 @@ openblas(const char *const name)
 {
   return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
 }
-
-void
-set_n_threads(const unsigned int n)
-{
-  if (const auto set = openblas<void(int)>("openblas_set_num_threads"))
-    set(n);
-}
 } // namespace
 
 
@@ -107,6 +100,15 @@ n_threads()
 {
   const auto get = openblas<int()>("openblas_get_num_threads");
   return get != nullptr ? std::max(1, get()) : 1;
+}
+
+
+
+void
+set_n_threads(const unsigned int n)
+{
+  if (const auto set = openblas<void(int)>("openblas_set_num_threads"))
+    set(n);
 }
 
 

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/simulation/announcements.h>
-#include <setsudan/simulation/state.h>
+#include <setsudan/simulation/row_state.h>
 #include <setsudan/solver/equilibrium_ladder.h>
 
 #include <algorithm>

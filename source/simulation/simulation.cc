@@ -7,6 +7,7 @@
 #include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/judgement.h>
 #include <setsudan/simulation/resumption.h>
+#include <setsudan/simulation/row_state.h>
 #include <setsudan/simulation/simulation.h>
 #include <setsudan/simulation/state_error.h>
 
@@ -174,11 +175,7 @@ Simulation<dim>::make_whole()
   if (state.is_whole)
     return;
   const auto blade = blade_on_row(body, event.row);
-  State<dim> whole =
-    solve_state(scene, body, blade, state.load_factor, state.displacement);
-  whole.stress = state.stress;
-  whole.yields = state.yields;
-  state        = std::move(whole);
+  state            = whole_state(scene, body, blade, state);
   describe_state(scene, body, blade, state, event);
 }
 
@@ -244,12 +241,18 @@ Simulation<dim>::deform(const unsigned int row)
   using LoadControl = DivisionParameters::LoadControl;
   const bool ramp   = scene.division.load_control == LoadControl::ramp;
   const auto blade  = blade_on_row(body, row);
-  if (ramp && is_judged(row))
+  if (ramp && is_judged(scene, row))
     accept(solve_ramp(scene, body, blade, row), blade);
   else
     {
       // A cut that runs through does so at the load that opened it.
-      accept(solve_row(row, blade, ramp ? state.load_factor : 1), blade);
+      accept(solve_row(scene,
+                       body,
+                       blade,
+                       ramp ? state.load_factor : 1,
+                       state.displacement,
+                       front_is_enough(row)),
+             blade);
     }
 
   if (row > 0)
@@ -283,44 +286,10 @@ Simulation<dim>::front_is_enough(const unsigned int row) const
 
 
 template <int dim>
-State<dim>
-Simulation<dim>::solve_row(const unsigned int row,
-                           const BladeLoad<dim> &blade,
-                           const double load_factor)
-{
-  const auto judged = [&](State<dim> &&solved) {
-    judge(scene, body, row, solved);
-    solved.yields = solved.yields || !is_judged(row);
-    return std::move(solved);
-  };
-  if (front_is_enough(row))
-    if (auto near = solve_near_front(scene, body, blade, load_factor))
-      {
-        auto solved = judged(std::move(*near));
-        // Where the cut ends the whole body is shown.
-        if (solved.yields)
-          return solved;
-      }
-  return judged(
-    solve_state(scene, body, blade, load_factor, state.displacement));
-}
-
-
-
-template <int dim>
-bool
-Simulation<dim>::is_judged(const unsigned int row) const
-{
-  return row == 0 || scene.yield.check == YieldParameters::Check::every_row;
-}
-
-
-
-template <int dim>
 bool
 Simulation<dim>::row_yields(const unsigned int row)
 {
-  if (state.yields && is_judged(row))
+  if (state.yields && is_judged(scene, row))
     recorder.record("yield", event);
   return state.yields;
 }

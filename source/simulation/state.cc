@@ -1,4 +1,3 @@
-#include <setsudan/simulation/judgement.h>
 #include <setsudan/simulation/state.h>
 
 #include <algorithm>
@@ -107,22 +106,6 @@ prescribed_displacement(const CutBody<dim> &body, const State<dim> &state)
 
 
 
-namespace
-{
-/** The state in so far as it is known before it is solved. */
-template <int dim>
-State<dim>
-unloaded_state(const Scene<dim> &scene, const CutBody<dim> &body)
-{
-  State<dim> state = rest_state(body);
-  state.forces     = body.model->loads;
-  if (!body.seams.empty())
-    state.opening = body.seam().opening(*body.model, scene.blade.thickness);
-  return state;
-}
-
-
-
 template <int dim>
 State<dim>
 loaded_state(const Scene<dim> &scene,
@@ -130,12 +113,14 @@ loaded_state(const Scene<dim> &scene,
              const BladeLoad<dim> &blade,
              const double load_factor)
 {
-  State<dim> state  = unloaded_state(scene, body);
+  State<dim> state  = rest_state(body);
   state.load_factor = load_factor;
+  state.forces      = body.model->loads;
   state.forces.add(load_factor, blade.nodal_forces);
+  if (!body.seams.empty())
+    state.opening = body.seam().opening(*body.model, scene.blade.thickness);
   return state;
 }
-} // namespace
 
 
 
@@ -190,96 +175,6 @@ solve_state(const Scene<dim> &scene,
 
 
 
-template <int dim>
-std::optional<State<dim>>
-solve_near_front(const Scene<dim> &scene,
-                 CutBody<dim> &body,
-                 const BladeLoad<dim> &blade,
-                 const double load_factor)
-{
-  State<dim> state  = loaded_state(scene, body, blade, load_factor);
-  auto displacement = body.displacement_near_front(
-    *blade.row, state.forces, prescribed_displacement(body, state));
-  if (!displacement)
-    return {};
-  state.displacement = std::move(*displacement);
-  state.is_whole     = false;
-  return state;
-}
-
-
-
-template <int dim>
-std::string
-why_whole(const Scene<dim> &scene, const CutBody<dim> &body)
-{
-  const auto &output = scene.output;
-  if (output.frames == OutputParameters::Frames::every_row ||
-      output.node_tables || output.calculix_decks)
-    return "since each is written";
-  if (scene.accuracy.estimate)
-    return "since their errors are estimated";
-  if (scene.yield.needs_seam())
-    return "since Yield/Criterion looks at all of it";
-  if (!body.all_held())
-    return "since pieces may come loose";
-  if (!body.why_anew().empty())
-    return "since every row is solved anew";
-  return "";
-}
-
-
-
-template <int dim>
-State<dim>
-solve_ramp(const Scene<dim> &scene,
-           CutBody<dim> &body,
-           const BladeLoad<dim> &blade,
-           const unsigned int row)
-{
-  const LA::Vector zero = body.model->discretization.zero_vector();
-  State<dim> state      = unloaded_state(scene, body);
-
-  const auto equilibrium = body.equilibrium();
-  const LA::Vector held  = prescribed_displacement(body, state);
-  const Response<dim> base{
-    equilibrium->solve(state.forces, held, held), state.forces, held};
-  const Response<dim> per_load{
-    equilibrium->solve(blade.nodal_forces, zero, zero),
-    blade.nodal_forces,
-    zero};
-  state.quality = equilibrium->quality_of_last();
-  const YieldLoad load =
-    find_yield_load(judge_row(scene, body, row, base, &per_load),
-                    scene.division.max_load_factor);
-
-  state.load_factor = load.load_factor;
-  state.stress      = load.stress;
-  state.yields      = load.yields;
-  state.forces.add(load.load_factor, blade.nodal_forces);
-  state.displacement = base.displacement;
-  state.displacement.add(load.load_factor, per_load.displacement);
-  state.internal = body.internal_forces(state.displacement);
-  return state;
-}
-
-
-
-template <int dim>
-void
-judge(const Scene<dim> &scene,
-      CutBody<dim> &body,
-      const unsigned int row,
-      State<dim> &state)
-{
-  const Response<dim> response{
-    state.displacement, state.forces, prescribed_displacement(body, state)};
-  state.stress = judge_row<dim>(scene, body, row, response, nullptr)(0);
-  state.yields = state.stress.yields();
-}
-
-
-
 template BladeLoad<2>
 no_blade(const CutBody<2> &);
 template BladeLoad<2>
@@ -288,6 +183,11 @@ template LA::Vector
 prescribed_displacement(const CutBody<2> &, const State<2> &);
 template State<2>
 rest_state(const CutBody<2> &);
+template State<2>
+loaded_state(const Scene<2> &,
+             const CutBody<2> &,
+             const BladeLoad<2> &,
+             const double);
 template State<2>
 make_state(const Scene<2> &,
            CutBody<2> &,
@@ -302,20 +202,6 @@ solve_state(const Scene<2> &,
             const BladeLoad<2> &,
             const double,
             const LA::Vector &);
-template std::optional<State<2>>
-solve_near_front(const Scene<2> &,
-                 CutBody<2> &,
-                 const BladeLoad<2> &,
-                 const double);
-template std::string
-why_whole(const Scene<2> &, const CutBody<2> &);
-template State<2>
-solve_ramp(const Scene<2> &,
-           CutBody<2> &,
-           const BladeLoad<2> &,
-           const unsigned int);
-template void
-judge(const Scene<2> &, CutBody<2> &, const unsigned int, State<2> &);
 template BladeLoad<3>
 no_blade(const CutBody<3> &);
 template BladeLoad<3>
@@ -324,6 +210,11 @@ template LA::Vector
 prescribed_displacement(const CutBody<3> &, const State<3> &);
 template State<3>
 rest_state(const CutBody<3> &);
+template State<3>
+loaded_state(const Scene<3> &,
+             const CutBody<3> &,
+             const BladeLoad<3> &,
+             const double);
 template State<3>
 make_state(const Scene<3> &,
            CutBody<3> &,
@@ -338,18 +229,4 @@ solve_state(const Scene<3> &,
             const BladeLoad<3> &,
             const double,
             const LA::Vector &);
-template std::optional<State<3>>
-solve_near_front(const Scene<3> &,
-                 CutBody<3> &,
-                 const BladeLoad<3> &,
-                 const double);
-template std::string
-why_whole(const Scene<3> &, const CutBody<3> &);
-template State<3>
-solve_ramp(const Scene<3> &,
-           CutBody<3> &,
-           const BladeLoad<3> &,
-           const unsigned int);
-template void
-judge(const Scene<3> &, CutBody<3> &, const unsigned int, State<3> &);
 } // namespace Setsudan

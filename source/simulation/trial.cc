@@ -1,6 +1,7 @@
 #include <deal.II/distributed/grid_refinement.h>
 
 #include <setsudan/cut/near_cut.h>
+#include <setsudan/simulation/row_state.h>
 #include <setsudan/simulation/trial.h>
 
 #include <algorithm>

@@ -56,4 +56,21 @@ for_each_small_model(const Visit &visit)
     }
   visit_one("quadratic", &uneven, {"Body/Element type=quadratic"});
 }
+
+
+/** Those in two and three dimensions, and linear elements.
+ *
+ * @param visit called with the name and the model. */
+template <typename Visit>
+void
+for_each_model(const Visit &visit)
+{
+  for_each_small_model<2>(visit);
+  for_each_small_model<3>(visit);
+  const std::string linear = "Body/Element type=linear";
+  SmallModel<2> square(Assignments{"Body/Elements=3,2", linear});
+  visit("2D, linear", square.model);
+  SmallModel<3> cube(Assignments{"Body/Elements=2,2,2", linear});
+  visit("3D, linear", cube.model);
+}
 } // namespace Setsudan

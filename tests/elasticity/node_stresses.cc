@@ -41,13 +41,7 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    const auto visit = [](const std::string &name, auto &model) {
-      compare(name, model);
-    };
-    for_each_small_model<2>(visit);
-    for_each_small_model<3>(visit);
-    SmallModel<3> linear(
-      Assignments{"Body/Elements=2,2,2", "Body/Element type=linear"});
-    compare("linear", linear.model);
+    for_each_model(
+      [](const std::string &name, auto &model) { compare(name, model); });
   });
 }

@@ -3,7 +3,7 @@
 // square of the load. The areas of rows sum up to that of the cut.
 
 #include <setsudan/simulation/judgement.h>
-#include <setsudan/simulation/state.h>
+#include <setsudan/simulation/row_state.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -5,6 +5,7 @@
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <setsudan/kernel/blas.h>
 #include <setsudan/solver/condensation.h>
 #include <setsudan/solver/growing_cholesky.h>
 #include <setsudan/solver/uncoupled_parts.h>
@@ -234,6 +235,8 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
+    // The tests are started with one thread; here parts are worked on by two.
+    set_n_threads(2);
     SolvedModel<3> solved(bar);
     test_solve(solved);
     test_complement(solved);

@@ -43,6 +43,10 @@ share_cores(const unsigned int n_processes_here);
 unsigned int
 n_threads();
 
+/** Let it use so many from now on. */
+void
+set_n_threads(const unsigned int n);
+
 /** As long as it lives the BLAS uses one thread, so that others can call it. */
 class SingleThreadedBlas
 {

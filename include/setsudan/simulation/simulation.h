@@ -70,20 +70,9 @@ private:
   bool
   front_is_enough(const unsigned int row) const;
 
-  /** Solve for the body with the blade on a row, or for what of it is looked
-   * at, and judge whether the row yields. */
-  State<dim>
-  solve_row(const unsigned int row,
-            const BladeLoad<dim> &blade,
-            const double load_factor);
-
   /** Find the rest of a state that is known near the front only. */
   void
   make_whole();
-
-  /** Whether the division waits for this row to yield. */
-  bool
-  is_judged(const unsigned int row) const;
 
   bool
   row_yields(const unsigned int row);

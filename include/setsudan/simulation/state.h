@@ -66,6 +66,15 @@ template <int dim>
 State<dim>
 rest_state(const CutBody<dim> &body);
 
+/** A state under the body's loads and `load_factor` times the blade that has
+ * not been solved for. */
+template <int dim>
+State<dim>
+loaded_state(const Scene<dim> &scene,
+             const CutBody<dim> &body,
+             const BladeLoad<dim> &blade,
+             const double load_factor);
+
 /** The state of the body under its loads and `load_factor` times the blade,
  * from the displacement that has been solved for. */
 template <int dim>
@@ -97,37 +106,4 @@ solve_state(const Scene<dim> &scene,
             const double load_factor,
             const LA::Vector &guess);
 
-/** The same near the front of the row that the blade stands on, or nothing
- * where that takes a solve for the whole body. */
-template <int dim>
-std::optional<State<dim>>
-solve_near_front(const Scene<dim> &scene,
-                 CutBody<dim> &body,
-                 const BladeLoad<dim> &blade,
-                 const double load_factor);
-
-/** Why the rows of the newest cut are known in the whole body though
- * Output/Statistics asks for their front only, in words that follow "known in
- * the whole body"; empty where they are known at their front. */
-template <int dim>
-std::string
-why_whole(const Scene<dim> &scene, const CutBody<dim> &body);
-
-/** Solve for the smallest load factor at which a row yields, or the largest
- * allowed one where it does not. The load enters linearly: two solves. */
-template <int dim>
-State<dim>
-solve_ramp(const Scene<dim> &scene,
-           CutBody<dim> &body,
-           const BladeLoad<dim> &blade,
-           const unsigned int row);
-
-/** Set the cutting stress of a state that solve_state() made, and whether the
- * row yields. */
-template <int dim>
-void
-judge(const Scene<dim> &scene,
-      CutBody<dim> &body,
-      const unsigned int row,
-      State<dim> &state);
 } // namespace Setsudan
