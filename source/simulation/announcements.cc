@@ -30,9 +30,9 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
        << scene.body.n_nodes() << " nodes, ";
   if (n_cells > n_elements)
     line << "refined to " << n_cells << " cells, ";
-  line << n_unknowns << " unknowns on "
-       << Utilities::MPI::n_mpi_processes(body.communicator)
-       << " process(es).\nSolver: "
+  const auto n_processes = Utilities::MPI::n_mpi_processes(body.communicator);
+  line << n_unknowns << " unknowns on " << n_processes
+       << (n_processes == 1 ? " process" : " processes") << ".\nSolver: "
        << EquilibriumLadder<dim>::description(*body.model, scene.solver);
   if (scene.solver.method == SolverParameters::Method::automatic)
     line << ", chosen because the unknowns "
@@ -96,6 +96,8 @@ describe_solve(const Scene<dim> &scene, const CutBody<dim> &body)
                                : "which grows as they split");
   if (!scene.output.front_only)
     return line + ".";
+  if (!why_anew.empty())
+    return line + ", and known in the whole body.";
   const std::string why = why_whole(scene, body);
   return line + (why.empty()
                    ? "; between the first and the last they are "
