@@ -55,6 +55,22 @@ Recorder<dim>::Recorder(const Scene<dim> &scene,
 
 
 template <int dim>
+Recorder<dim>::~Recorder()
+{
+  try
+    {
+      if (is_first_process)
+        statistics.finish(directory);
+    }
+  catch (const std::exception &)
+    {
+      // What stands in the way has been said where it was met first.
+    }
+}
+
+
+
+template <int dim>
 void
 Recorder<dim>::write_parameters(const Parameters &parameters) const
 {

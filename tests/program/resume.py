@@ -9,6 +9,7 @@ import itertools
 import os
 import pathlib
 import random
+import re
 import resource
 import signal
 import subprocess
@@ -208,6 +209,23 @@ def interrupt(runs, n_tries):
     return f"{n_interrupted} runs interrupted"
 
 
+def check_last_event(runs, options, seconds):
+    """A run that fails has all events in its table, though it saves nothing else."""
+    for fraction in (0.6, 0.7, 0.8, 0.9):
+        output = runs.new_directory()
+        process = stop_after(
+            runs.start(output, *options, "--set", "Output/Checkpoint=none"),
+            fraction * seconds, signal.SIGINT)
+        _, message = process.communicate(timeout=120)
+        named = re.search(r"interrupted behind row (\d+) ", message)
+        if named:
+            last = read(output / "statistics.csv")[-1]
+            if int(last["row"]) + 1 != int(named.group(1)):
+                raise Failure(f"the table ends at row {int(last['row']) + 1}: {message}")
+            return
+    raise Failure("no run was stopped")
+
+
 def front(runs, n_tries):
     """Rows that are known at their front only: what the run is stopped at is made
     whole, and the rest is as it was."""
@@ -240,6 +258,7 @@ def front(runs, n_tries):
             for name in ("event", "row", "depth", "cutting_stress", "pieces"):
                 if line[name] != other[name]:
                     raise Failure(f"{name} differs in row {line['row']}")
+    check_last_event(runs, options, seconds)
     if n_at_front == 0:
         raise Failure("no run was stopped at a row known at its front only")
     return "resumed at rows known at their front only"

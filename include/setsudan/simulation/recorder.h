@@ -41,6 +41,9 @@ public:
            const MPI_Comm communicator,
            const OutputDirectory::Earlier earlier);
 
+  /** The table is whole however the run ends. */
+  ~Recorder();
+
   /** Write parameters.prm. */
   void
   write_parameters(const Parameters &parameters) const;
