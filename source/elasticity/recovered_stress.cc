@@ -272,7 +272,7 @@ RecoveredStress<dim>::recover(const unsigned int material,
   Field field = means.finish();
   for (auto &vector : field)
     {
-      model.hanging.distribute(vector);
+      distribute(model.hanging, vector);
       vector = discretization.with_ghosts(vector);
     }
   return field;

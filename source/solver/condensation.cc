@@ -43,7 +43,8 @@ for_each_part(const unsigned int n_parts,
               const bool at_once,
               const std::function<void(unsigned int)> &work)
 {
-  if (at_once)
+  // One part alone leaves all cores to the BLAS.
+  if (at_once && n_parts > 1)
     side_by_side(n_parts, work);
   else
     for (unsigned int part = 0; part < n_parts; ++part)

@@ -34,7 +34,7 @@ ConstrainedEquilibrium<dim>::solve(const LA::Vector &forces,
   x -= prescribed;
   constraints.set_zero(x);
   x = solve_condensed(b, x);
-  constraints.distribute(x);
+  distribute(constraints, x);
   x += prescribed;
   return x;
 }
