@@ -26,12 +26,12 @@ vtk_edges()
 
 template <int dim>
 std::vector<double>
-coordinates(const PieceMesh<dim> &piece)
+coordinates(const std::vector<Point<dim>> &vectors)
 {
   std::vector<double> coordinates;
-  for (const auto &node : piece.nodes)
+  for (const auto &vector : vectors)
     for (unsigned int d = 0; d < 3; ++d)
-      coordinates.push_back(d < dim ? node[d % dim] : 0.);
+      coordinates.push_back(d < dim ? vector[d % dim] : 0.);
   return coordinates;
 }
 
@@ -56,13 +56,13 @@ connectivity(const PieceMesh<dim> &piece,
 template Edges
 vtk_edges<2>();
 template std::vector<double>
-coordinates(const PieceMesh<2> &);
+coordinates(const std::vector<Point<2>> &);
 template std::vector<std::size_t>
 connectivity(const PieceMesh<2> &, const Edges &, const std::size_t);
 template Edges
 vtk_edges<3>();
 template std::vector<double>
-coordinates(const PieceMesh<3> &);
+coordinates(const std::vector<Point<3>> &);
 template std::vector<std::size_t>
 connectivity(const PieceMesh<3> &, const Edges &, const std::size_t);
 } // namespace Setsudan

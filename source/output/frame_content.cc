@@ -3,8 +3,11 @@
 #include <setsudan/elasticity/grid_gradients.h>
 #include <setsudan/elasticity/strain_recovery.h>
 #include <setsudan/output/frame_content.h>
+#include <setsudan/output/frame_fields.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Setsudan
 {
@@ -12,56 +15,6 @@ using namespace dealii;
 
 namespace
 {
-/** The maximum shear up to the digits that a frame has, in a fraction of the
- * time that maximum_shear() takes. */
-double
-shown_shear(const SymmetricTensor<2, 3> &stress)
-{
-  const auto principal = eigenvalues(stress);
-  return (principal[0] - principal[2]) / 2;
-}
-
-
-
-/** The arrays of points, which are filled cell by cell, x fastest in a cell. */
-template <int dim>
-class PointArrays
-{
-public:
-  PointArrays(const unsigned int n_points, VtuCells &cells)
-    : cells(cells)
-  {
-    cells.points.resize(3 * n_points);
-    cells.data = {{"displacement", 3, std::vector<float>(3 * n_points)},
-                  {"stress", 9, std::vector<float>(9 * n_points)},
-                  {"maximum_shear", 1, std::vector<float>(n_points)},
-                  {"stress_zz", 1, std::vector<float>(n_points)}};
-  }
-
-  void
-  set(const unsigned int point,
-      const Point<dim> &position,
-      const Tensor<1, dim> &displacement,
-      const SymmetricTensor<2, 3> &stress)
-  {
-    float *const tensor = &cells.data[1].values[9 * point];
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        cells.points[3 * point + c]         = position[c];
-        cells.data[0].values[3 * point + c] = displacement[c];
-        for (unsigned int d = 0; d < dim; ++d)
-          tensor[3 * c + d] = stress[c][d];
-      }
-    cells.data[2].values[point] = shown_shear(stress);
-    cells.data[3].values[point] = stress[2][2];
-  }
-
-private:
-  VtuCells &cells;
-};
-
-
-
 /** The numbers of a process's own cells, counted from 0, by their
  * active_cell_index(). */
 template <int dim>
@@ -80,20 +33,61 @@ numbers_of_own(const Discretization<dim> &discretization)
 
 
 
+/** Set the type of a grid's cells, and which points they have: their own, x
+ * fastest.
+ *
+ * @param order the points of a cell in VTK's order. */
+void
+set_cells(const unsigned char type,
+          const std::vector<unsigned int> &order,
+          const unsigned int n_cells,
+          VtuGrid &grid)
+{
+  grid.type             = type;
+  grid.n_points_of_cell = order.size();
+  grid.connectivity.reserve(n_cells * order.size());
+  for (unsigned int cell = 0; cell < n_cells; ++cell)
+    for (const unsigned int place : order)
+      grid.connectivity.push_back(cell * order.size() + place);
+}
+
+/** Whether the digits of single precision leave less of the smallest line of
+ * the cells than a picture needs: so it is far from the origin. */
 template <int dim>
-VtuCells
-linear_cells(const ElasticModel<dim> &model, const LA::Vector &displacement)
+bool
+needs_double(const Discretization<dim> &discretization)
+{
+  double largest = 0, shortest = std::numeric_limits<double>::max();
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        for (const unsigned int v : cell->vertex_indices())
+          largest = std::max(largest, cell->vertex(v).norm());
+        shortest = std::min(shortest, cell->minimum_vertex_distance());
+      }
+  const MPI_Comm communicator = discretization.communicator;
+  largest                     = Utilities::MPI::max(largest, communicator);
+  shortest                    = Utilities::MPI::min(shortest, communicator);
+  return largest * std::numeric_limits<float>::epsilon() > 1e-4 * shortest;
+}
+
+template <int dim>
+void
+show_linear_cells(const ElasticModel<dim> &model,
+                  const LA::Vector &displacement,
+                  VtuGrid &grid)
 {
   const auto &discretization      = model.discretization;
   constexpr unsigned int n_points = GeometryInfo<dim>::vertices_per_cell;
-  VtuCells content;
+  const unsigned int n_cells =
+    discretization.triangulation.n_locally_owned_active_cells();
   // VTK's quadrilateral and hexahedron.
-  content.type  = dim == 2 ? 9 : 12;
-  content.order = dim == 2 ? std::vector<unsigned int>{0, 1, 3, 2}
-                           : std::vector<unsigned int>{0, 1, 3, 2, 4, 5, 7, 6};
-  PointArrays<dim> arrays(
-    n_points * discretization.triangulation.n_locally_owned_active_cells(),
-    content);
+  set_cells(dim == 2 ? 9 : 12,
+            dim == 2 ? std::vector<unsigned int>{0, 1, 3, 2}
+                     : std::vector<unsigned int>{0, 1, 3, 2, 4, 5, 7, 6},
+            n_cells,
+            grid);
+  FrameFields<dim> fields(n_points * n_cells);
   StrainRecovery<dim> recovery(
     discretization, model.materials, node_points(discretization));
   unsigned int point = 0;
@@ -108,13 +102,15 @@ linear_cells(const ElasticModel<dim> &model, const LA::Vector &displacement)
             Tensor<1, dim> u;
             for (unsigned int c = 0; c < dim; ++c)
               u[c] = displacement(indices[node][c]);
-            arrays.set(point++, positions[node], u, recovery.stress(node));
+            fields.set(point++,
+                       positions[node],
+                       u,
+                       recovery.strain(node),
+                       recovery.stress(node));
           }
       }
-  return content;
+  fields.move_into(grid, needs_double(discretization));
 }
-
-
 
 /** The functions of an element at a point that differ from 0 there. */
 using Functions = std::vector<std::pair<unsigned int, double>>;
@@ -161,21 +157,24 @@ value_at(const double *const vector,
 
 
 template <int dim>
-VtuCells
-quadratic_cells(ElasticModel<dim> &model, const LA::Vector &displacement)
+void
+show_quadratic_cells(ElasticModel<dim> &model,
+                     const LA::Vector &displacement,
+                     VtuGrid &grid)
 {
   constexpr unsigned int n_points = Utilities::pow(3, dim);
   const auto &discretization      = model.discretization;
   auto &batches                   = model.batches();
-  VtuCells content;
   // VTK's quadratic Lagrange quadrilateral and hexahedron.
-  content.type = dim == 2 ? 70 : 72;
-  content.order =
-    dim == 2 ? std::vector<unsigned int>{0, 2, 8, 6, 1, 5, 7, 3, 4}
-             : std::vector<unsigned int>{0,  2,  8,  6,  18, 20, 26, 24, 1,
-                                         5,  7,  3,  19, 23, 25, 21, 9,  11,
-                                         15, 17, 12, 14, 10, 16, 4,  22, 13};
-  PointArrays<dim> arrays(n_points * batches.cells().size(), content);
+  set_cells(dim == 2 ? 70 : 72,
+            dim == 2
+              ? std::vector<unsigned int>{0, 2, 8, 6, 1, 5, 7, 3, 4}
+              : std::vector<unsigned int>{0,  2,  8,  6,  18, 20, 26, 24, 1,
+                                          5,  7,  3,  19, 23, 25, 21, 9,  11,
+                                          15, 17, 12, 14, 10, 16, 4,  22, 13},
+            batches.cells().size(),
+            grid);
+  FrameFields<dim> fields(n_points * batches.cells().size());
   std::unique_ptr<Dilatation<dim>> dilatation;
   if (model.materials.any_is_mixed())
     dilatation = std::make_unique<Dilatation<dim>>(discretization);
@@ -198,20 +197,60 @@ quadratic_cells(ElasticModel<dim> &model, const LA::Vector &displacement)
             const Point<dim> position(
               value_at<dim>(positions, functions[p], batch, lane));
             const auto strain = symmetrize(batch.at<dim>(p, lane));
-            arrays.set(
+            fields.set(
               numbers[cell->active_cell_index()] * n_points + p,
               position,
               value_at<dim>(u.begin(), functions[p], batch, lane),
+              strain,
               material.is_mixed
                 ? material.hooke.stress(strain, dilatation_of_cell(position))
                 : material.hooke.stress(strain));
           }
       }
   });
-  return content;
+  fields.move_into(grid, needs_double(discretization));
 }
 
-
+/** Add which nodes of the body the points are, and whether the front is there.
+ */
+template <int dim>
+void
+add_nodes(const Body<dim> &body,
+          const Discretization<dim> &discretization,
+          const std::vector<types::global_dof_index> &front,
+          VtuGrid &grid)
+{
+  const unsigned int n_points = grid.n_points_of_cell;
+  const unsigned int n_1d = discretization.type == ElementType::linear ? 2 : 3;
+  std::vector<unsigned int> places;
+  for (const auto &node : discretization.nodes())
+    {
+      unsigned int place = 0;
+      for (int c = dim - 1; c >= 0; --c)
+        place = place * n_1d + std::lround(node[c] * (n_1d - 1));
+      places.push_back(place);
+    }
+  std::vector<std::int32_t> nodes(grid.connectivity.size(), -1);
+  std::vector<std::int32_t> at_front(nodes.size(), 0);
+  std::size_t first = 0;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const auto &numbers = body.node_numbers[discretization.element(cell)];
+        const auto points   = discretization.points_in_element(cell);
+        const auto indices  = discretization.node_indices(cell);
+        for (unsigned int node = 0; node < indices.size(); ++node)
+          {
+            if (const auto of_body = node_at(points[node]))
+              nodes[first + places[node]] = numbers[*of_body];
+            at_front[first + places[node]] =
+              std::binary_search(front.begin(), front.end(), indices[node][0]);
+          }
+        first += n_points;
+      }
+  grid.point_data.push_back({"node", 1, std::move(nodes)});
+  grid.point_data.push_back({"front", 1, std::move(at_front)});
+}
 
 /** Add what is the same at all points of a cell. */
 template <int dim>
@@ -219,56 +258,73 @@ void
 add_cell_data(const ElasticModel<dim> &model,
               const ElementLabels &labels,
               const dealii::Vector<double> &error_squares,
-              VtuCells &content)
+              VtuGrid &grid)
 {
   const auto &discretization = model.discretization;
   using Cell                 = typename Discretization<dim>::Cell;
-  const auto add = [&](const std::string &name, const auto &value_of_cell) {
-    content.data.push_back({name, 1, {}});
-    auto &values = content.data.back().values;
+  const auto add = [&](const std::string &name, auto of_cells, const auto &of) {
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
-        values.insert(values.end(), content.order.size(), value_of_cell(cell));
+        of_cells.push_back(of(cell));
+    grid.cell_data.push_back({name, 1, std::move(of_cells)});
   };
   const auto element = [&](const Cell &cell) {
     return discretization.element(cell);
   };
-  add("side", [&](const Cell &cell) { return labels.side[element(cell)]; });
-  add("piece", [&](const Cell &cell) { return labels.piece[element(cell)]; });
-  add("material",
-      [&](const Cell &cell) { return model.materials.number(element(cell)); });
+  const std::vector<std::int32_t> numbers;
+  add("element", numbers, element);
+  add("side", numbers, [&](const Cell &cell) {
+    return labels.side[element(cell)];
+  });
+  add("piece", numbers, [&](const Cell &cell) {
+    return labels.piece[element(cell)];
+  });
+  add("material", numbers, [&](const Cell &cell) {
+    return model.materials.number(element(cell));
+  });
   if (error_squares.size() > 0)
-    add("energy_error", [&](const Cell &cell) {
+    add("energy_error", std::vector<float>(), [&](const Cell &cell) {
       return std::sqrt(error_squares[cell->active_cell_index()]);
     });
 }
 } // namespace
 
 
+
 template <int dim>
-VtuCells
-frame_content(ElasticModel<dim> &model,
+VtuGrid
+frame_content(const Body<dim> &body,
+              ElasticModel<dim> &model,
               const LA::Vector &displacement,
               const ElementLabels &labels,
-              const dealii::Vector<double> &error_squares)
+              const dealii::Vector<double> &error_squares,
+              const FrameFacts &facts)
 {
-  VtuCells content = model.discretization.type == ElementType::linear
-                       ? linear_cells(model, displacement)
-                       : quadratic_cells(model, displacement);
-  add_cell_data(model, labels, error_squares, content);
-  return content;
+  VtuGrid grid;
+  if (model.discretization.type == ElementType::linear)
+    show_linear_cells(model, displacement, grid);
+  else
+    show_quadratic_cells(model, displacement, grid);
+  add_nodes(body, model.discretization, facts.front, grid);
+  add_cell_data(model, labels, error_squares, grid);
+  grid.field_data = facts.of_state;
+  return grid;
 }
 
 
 
-template VtuCells
-frame_content(ElasticModel<2> &,
+template VtuGrid
+frame_content(const Body<2> &,
+              ElasticModel<2> &,
               const LA::Vector &,
               const ElementLabels &,
-              const dealii::Vector<double> &);
-template VtuCells
-frame_content(ElasticModel<3> &,
+              const dealii::Vector<double> &,
+              const FrameFacts &);
+template VtuGrid
+frame_content(const Body<3> &,
+              ElasticModel<3> &,
               const LA::Vector &,
               const ElementLabels &,
-              const dealii::Vector<double> &);
+              const dealii::Vector<double> &,
+              const FrameFacts &);
 } // namespace Setsudan

@@ -15,7 +15,7 @@ namespace
 /** @param base the files' names up to the ending.
  * @param rank  of this process, and how many there are. */
 void
-write_frame(const VtuCells &content,
+write_frame(const VtuGrid &content,
             const OutputDirectory &directory,
             const std::string &base,
             const unsigned int rank,
@@ -38,30 +38,24 @@ write_frame(const VtuCells &content,
 } // namespace
 
 
-template <int dim>
-FrameWriter<dim>::FrameWriter(const OutputDirectory &directory)
+FrameWriter::FrameWriter(const OutputDirectory &directory)
   : directory(directory)
 {
 }
 
 
 
-template <int dim>
 void
-FrameWriter<dim>::write(const unsigned int frame,
-                        ElasticModel<dim> &model,
-                        const LA::Vector &displacement,
-                        const ElementLabels &labels,
-                        const dealii::Vector<double> &error_squares)
+FrameWriter::write(const unsigned int frame,
+                   const double time,
+                   const MPI_Comm communicator,
+                   const std::shared_ptr<const VtuGrid> &content)
 {
-  const MPI_Comm communicator = model.discretization.communicator;
-  const unsigned int rank     = Utilities::MPI::this_mpi_process(communicator);
-  const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
-  const std::string base      = "frame_" + Utilities::to_string(frame, 4);
-  const auto content          = std::make_shared<const VtuCells>(
-    frame_content(model, displacement, labels, error_squares));
+  const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+  const std::string base     = "frame_" + Utilities::to_string(frame, 4);
   finish();
-  sequence.emplace_back(frame, base + (n_ranks == 1 ? ".vtu" : ".pvtu"));
+  sequence.emplace_back(time, base + (n_ranks == 1 ? ".vtu" : ".pvtu"));
   // MPI is not called from there.
   pending = std::async(std::launch::async,
                        [this, content, base, rank, n_ranks, shown = sequence] {
@@ -75,9 +69,8 @@ FrameWriter<dim>::write(const unsigned int frame,
 
 
 
-template <int dim>
 void
-FrameWriter<dim>::finish()
+FrameWriter::finish()
 {
   if (pending.valid())
     pending.get();
@@ -85,6 +78,4 @@ FrameWriter<dim>::finish()
 
 
 
-template class FrameWriter<2>;
-template class FrameWriter<3>;
 } // namespace Setsudan

@@ -38,6 +38,17 @@ OutputParameters::declare(ParameterHandler &handler)
                     "none.");
   Setsudan::declare(handler,
                     "Output",
+                    "Time",
+                    "frame",
+                    Patterns::Selection("frame|depth|travel"),
+                    "What ParaView takes for time: the number of the frame; "
+                    "depth: how far the row under the blade lies behind the "
+                    "entry, for scenes of one cut; travel: the depths of all "
+                    "cuts added up. Where the blade stands still, times grow "
+                    "by a millionth of the body's size, since no two frames "
+                    "can have the same.");
+  Setsudan::declare(handler,
+                    "Output",
                     "Node tables",
                     "false",
                     Patterns::Bool(),
@@ -95,6 +106,10 @@ OutputParameters::OutputParameters(const Parameters &parameters)
   frames                 = name == "every row" ? Frames::every_row
                            : name == "stages"  ? Frames::stages
                                                : Frames::none;
+  const std::string what = parameters.text("Output", "Time");
+  time                   = what == "frame"   ? Time::frame
+                           : what == "depth" ? Time::depth
+                                             : Time::travel;
   const std::string when = parameters.text("Output", "Checkpoint");
   checkpoint             = when == "auto"        ? Checkpoint::automatic
                            : when == "every row" ? Checkpoint::every_row

@@ -136,14 +136,24 @@ gather_displacements(const Discretization<dim> &discretization,
 
 template <int dim>
 void
-deform(PieceMesh<dim> &piece, const ElementDisplacements<dim> &displacements)
+set_displacements(const ElementDisplacements<dim> &displacements,
+                  PieceMesh<dim> &piece)
 {
-  const auto rest = piece.nodes;
+  piece.displacements.resize(piece.nodes.size());
   for (unsigned int e = 0; e < piece.elements.size(); ++e)
     for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
-      piece.nodes[piece.elements[e][node]] =
-        rest[piece.elements[e][node]] +
-        displacements[piece.elements_in_body[e]][node];
+      piece.displacements[piece.elements[e][node]] =
+        Point<dim>(displacements[piece.elements_in_body[e]][node]);
+}
+
+
+
+template <int dim>
+void
+deform(PieceMesh<dim> &piece)
+{
+  for (unsigned int node = 0; node < piece.nodes.size(); ++node)
+    piece.nodes[node] += piece.displacements[node];
 }
 
 
@@ -158,7 +168,9 @@ gather_displacements(const Discretization<2> &,
                      const unsigned int,
                      const LA::Vector &);
 template void
-deform(PieceMesh<2> &, const ElementDisplacements<2> &);
+set_displacements(const ElementDisplacements<2> &, PieceMesh<2> &);
+template void
+deform(PieceMesh<2> &);
 template struct PieceMesh<3>;
 template std::vector<PieceMesh<3>>
 make_piece_meshes(const CoarseMesh<3> &,
@@ -169,5 +181,7 @@ gather_displacements(const Discretization<3> &,
                      const unsigned int,
                      const LA::Vector &);
 template void
-deform(PieceMesh<3> &, const ElementDisplacements<3> &);
+set_displacements(const ElementDisplacements<3> &, PieceMesh<3> &);
+template void
+deform(PieceMesh<3> &);
 } // namespace Setsudan

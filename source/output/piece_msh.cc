@@ -137,7 +137,7 @@ write_piece_msh(const PieceMesh<dim> &piece,
   const GmshSession session;
   gmsh::model::add("piece");
   gmsh::model::addDiscreteEntity(dim, 1);
-  gmsh::model::mesh::addNodes(dim, 1, node_tags, coordinates(piece));
+  gmsh::model::mesh::addNodes(dim, 1, node_tags, coordinates<dim>(piece.nodes));
   std::size_t next = 1;
   for (int dimension = dim; dimension >= 0; --dimension)
     add_entities(piece, dimension, next);

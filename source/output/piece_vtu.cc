@@ -1,7 +1,7 @@
 #include <setsudan/output/element_order.h>
 #include <setsudan/output/piece_mesh.h>
+#include <setsudan/output/vtu.h>
 
-#include <iomanip>
 #include <numeric>
 #include <ostream>
 
@@ -9,19 +9,18 @@ namespace Setsudan
 {
 namespace
 {
-template <typename Values>
-void
-write_array(std::ostream &out,
-            const std::string &type,
-            const std::string &name,
-            const unsigned int n_components,
-            const Values &values)
+VtuArray
+numbers(const std::string &name, const std::vector<unsigned int> &values)
 {
-  out << "<DataArray type=\"" << type << "\" Name=\"" << name
-      << "\" NumberOfComponents=\"" << n_components << "\" format=\"ascii\">\n";
-  for (unsigned int i = 0; i < values.size(); ++i)
-    out << values[i] << ((i + 1) % n_components == 0 ? '\n' : ' ');
-  out << "</DataArray>\n";
+  return {name, 1, std::vector<std::int32_t>(values.begin(), values.end())};
+}
+
+VtuArray
+counted(const std::string &name, const unsigned int n)
+{
+  std::vector<std::int32_t> values(n);
+  std::iota(values.begin(), values.end(), 0);
+  return {name, 1, values};
 }
 } // namespace
 
@@ -33,40 +32,23 @@ write_piece_vtu(const PieceMesh<dim> &piece,
                 const OutputDirectory &directory,
                 const std::string &name)
 {
-  const unsigned int n_elements = piece.elements.size();
-  std::vector<unsigned int> offsets(n_elements);
-  for (unsigned int e = 0; e < n_elements; ++e)
-    offsets[e] = (e + 1) * n_element_nodes<dim>;
+  VtuGrid grid;
   // VTK's quadratic quadrilateral and quadratic hexahedron.
-  const std::vector<unsigned int> types(n_elements, dim == 2 ? 23 : 25);
-  std::vector<unsigned int> node_numbers(piece.nodes.size());
-  std::vector<unsigned int> element_numbers(n_elements);
-  std::iota(node_numbers.begin(), node_numbers.end(), 0);
-  std::iota(element_numbers.begin(), element_numbers.end(), 0);
-
-  directory.write(name, [&](std::ostream &out) {
-    out << std::setprecision(16)
-        << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
-           "version=\"0.1\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-        << piece.nodes.size() << "\" NumberOfCells=\"" << n_elements
-        << "\">\n<Points>\n";
-    write_array(out, "Float64", "Points", 3, coordinates(piece));
-    out << "</Points>\n<Cells>\n";
-    write_array(out,
-                "UInt32",
-                "connectivity",
-                n_element_nodes<dim>,
-                connectivity(piece, vtk_edges<dim>(), 0));
-    write_array(out, "UInt32", "offsets", 1, offsets);
-    write_array(out, "UInt8", "types", 1, types);
-    out << "</Cells>\n<PointData>\n";
-    write_array(out, "UInt32", "node", 1, node_numbers);
-    write_array(out, "UInt32", "node_in_body", 1, piece.numbers_in_body);
-    out << "</PointData>\n<CellData>\n";
-    write_array(out, "UInt32", "element", 1, element_numbers);
-    write_array(out, "UInt32", "element_in_body", 1, piece.elements_in_body);
-    out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  });
+  grid.type             = dim == 2 ? 23 : 25;
+  grid.n_points_of_cell = n_element_nodes<dim>;
+  grid.points           = coordinates<dim>(piece.nodes);
+  const auto nodes      = connectivity(piece, vtk_edges<dim>(), 0);
+  grid.connectivity.assign(nodes.begin(), nodes.end());
+  grid.point_data = {counted("node", piece.nodes.size()),
+                     numbers("node_in_body", piece.numbers_in_body),
+                     {"displacement",
+                      3,
+                      coordinates<dim>(piece.displacements),
+                      {"X", "Y", "Z"}}};
+  grid.cell_data  = {counted("element", piece.elements.size()),
+                     numbers("element_in_body", piece.elements_in_body),
+                     numbers("material", piece.materials)};
+  directory.write(name, [&](std::ostream &out) { write_vtu(grid, out); });
 }
 
 

@@ -87,89 +87,126 @@ write_head(std::ostream &out, const std::string &type)
       << "\" compressor=\"vtkZLibDataCompressor\">\n<" << type;
 }
 
+/** A text as an attribute of XML can hold it. */
+std::string
+escaped(const std::string &text)
+{
+  std::string result;
+  for (const char c : text)
+    result += c == '&'   ? "&amp;"
+              : c == '<' ? "&lt;"
+              : c == '"' ? "&quot;"
+                         : std::string(1, c);
+  return result;
+}
 
+const char *
+name_of_type(const VtuArray::Values &values)
+{
+  constexpr const char *names[] = {"Float32", "Float64", "Int32"};
+  return names[values.index()];
+}
+
+std::size_t
+n_values(const VtuArray::Values &values)
+{
+  return std::visit([](const auto &list) { return list.size(); }, values);
+}
 
 std::string
-description(const std::string &type,
-            const std::string &name,
-            const unsigned int n_components)
+description(const VtuArray &array)
 {
-  return "DataArray type=\"" + type + "\" Name=\"" + name +
-         "\" NumberOfComponents=\"" + std::to_string(n_components) + "\"";
+  std::string text = std::string("DataArray type=\"") +
+                     name_of_type(array.values) + "\" Name=\"" + array.name +
+                     "\" NumberOfComponents=\"" +
+                     std::to_string(array.n_components) + "\"";
+  for (unsigned int c = 0; c < array.component_names.size(); ++c)
+    text += " ComponentName" + std::to_string(c) + "=\"" +
+            escaped(array.component_names[c]) + "\"";
+  return text;
 }
 
-
-
-template <typename Number>
+/** @param attributes that stand in the array's tag besides. */
 void
-write_array(const std::string &type,
-            const std::string &name,
-            const unsigned int n_components,
-            const std::vector<Number> &values,
+write_array(const VtuArray &array,
             std::ostream &out,
-            AppendedData &data)
+            AppendedData &data,
+            const std::string &attributes = "")
 {
-  out << "<" << description(type, name, n_components)
-      << " format=\"appended\" offset=\"" << data.add(values) << "\"/>\n";
+  const std::size_t begin = std::visit(
+    [&](const auto &values) { return data.add(values); }, array.values);
+  out << "<" << description(array) << attributes
+      << " format=\"appended\" offset=\"" << begin << "\"/>\n";
 }
 
-
+void
+write_arrays(const std::string &tag,
+             const std::vector<VtuArray> &arrays,
+             std::ostream &out,
+             AppendedData &data)
+{
+  out << "<" << tag << ">\n";
+  for (const auto &array : arrays)
+    write_array(array, out, data);
+  out << "</" << tag << ">\n";
+}
 
 void
-write_connectivity(const VtuCells &cells, std::ostream &out, AppendedData &data)
+write_field_data(const VtuGrid &grid, std::ostream &out, AppendedData &data)
 {
-  const unsigned int n_points = cells.order.size();
-  std::vector<std::int32_t> connectivity, offsets;
-  for (unsigned int cell = 0; cell < cells.n_cells(); ++cell)
-    {
-      for (const unsigned int place : cells.order)
-        connectivity.push_back(cell * n_points + place);
-      offsets.push_back(connectivity.size());
-    }
+  out << "<FieldData>\n";
+  for (const auto &array : grid.field_data)
+    write_array(array,
+                out,
+                data,
+                " NumberOfTuples=\"" +
+                  std::to_string(n_values(array.values) / array.n_components) +
+                  "\"");
+  out << "</FieldData>\n";
+}
+
+void
+write_cells(const VtuGrid &grid, std::ostream &out, AppendedData &data)
+{
+  const std::size_t n_cells = grid.connectivity.size() / grid.n_points_of_cell;
+  std::vector<std::int32_t> offsets(n_cells);
+  for (std::size_t cell = 0; cell < n_cells; ++cell)
+    offsets[cell] = (cell + 1) * grid.n_points_of_cell;
   out << "<Cells>\n";
-  write_array("Int32", "connectivity", 1, connectivity, out, data);
-  write_array("Int32", "offsets", 1, offsets, out, data);
-  write_array("UInt8",
-              "types",
-              1,
-              std::vector<unsigned char>(offsets.size(), cells.type),
-              out,
-              data);
-  out << "</Cells>\n";
+  write_array({"connectivity", 1, grid.connectivity}, out, data);
+  write_array({"offsets", 1, offsets}, out, data);
+  out << "<DataArray type=\"UInt8\" Name=\"types\" format=\"appended\" "
+         "offset=\""
+      << data.add(std::vector<unsigned char>(n_cells, grid.type))
+      << "\"/>\n</Cells>\n";
 }
 } // namespace
 
 
-unsigned int
-VtuCells::n_cells() const
-{
-  return points.size() / 3 / order.size();
-}
-
-
 
 void
-write_vtu(const VtuCells &cells, std::ostream &out)
+write_vtu(const VtuGrid &grid, std::ostream &out)
 {
   AppendedData data;
   write_head(out, "UnstructuredGrid");
-  out << ">\n<Piece NumberOfPoints=\"" << cells.points.size() / 3
-      << "\" NumberOfCells=\"" << cells.n_cells() << "\">\n<Points>\n";
-  write_array("Float32", "Points", 3, cells.points, out, data);
+  out << ">\n";
+  write_field_data(grid, out, data);
+  out << "<Piece NumberOfPoints=\"" << n_values(grid.points) / 3
+      << "\" NumberOfCells=\""
+      << grid.connectivity.size() / grid.n_points_of_cell << "\">\n<Points>\n";
+  write_array({"Points", 3, grid.points}, out, data);
   out << "</Points>\n";
-  write_connectivity(cells, out, data);
-  out << "<PointData>\n";
-  for (const auto &[name, n_components, values] : cells.data)
-    write_array("Float32", name, n_components, values, out, data);
-  out << "</PointData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData "
-         "encoding=\"raw\">\n_"
+  write_cells(grid, out, data);
+  write_arrays("PointData", grid.point_data, out, data);
+  write_arrays("CellData", grid.cell_data, out, data);
+  out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"
       << data.data << "\n</AppendedData>\n</VTKFile>\n";
 }
 
 
 
 void
-write_pvtu(const VtuCells &cells,
+write_pvtu(const VtuGrid &grid,
            const std::vector<std::string> &files,
            std::ostream &out)
 {
@@ -179,12 +216,12 @@ write_pvtu(const VtuCells &cells,
                                const std::vector<VtuArray> &arrays) {
     out << "<" << tag << ">\n";
     for (const auto &array : arrays)
-      out << "<P" << description("Float32", array.name, array.n_components)
-          << "/>\n";
+      out << "<P" << description(array) << "/>\n";
     out << "</" << tag << ">\n";
   };
-  write_names("PPointData", cells.data);
-  write_names("PPoints", {{"Points", 3, {}}});
+  write_names("PPointData", grid.point_data);
+  write_names("PCellData", grid.cell_data);
+  write_names("PPoints", {{"Points", 3, grid.points}});
   for (const auto &file : files)
     out << "<Piece Source=\"" << file << "\"/>\n";
   out << "</PUnstructuredGrid>\n</VTKFile>\n";

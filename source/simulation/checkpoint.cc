@@ -77,6 +77,8 @@ serialize(Archive &archive, Record &record, const unsigned int)
               record.warned_of_round_off,
               record.warned_of_strain,
               record.warned_of_jacobian,
+              record.earlier_depths,
+              record.framed_at,
               record.cut_began,
               record.seconds);
 }
@@ -115,7 +117,7 @@ namespace
 {
 const std::string file_name = "checkpoint";
 // Begins the file; the number changes with what is in it.
-const std::string signature = "setsudan checkpoint 1\n";
+const std::string signature = "setsudan checkpoint 2\n";
 } // namespace
 
 

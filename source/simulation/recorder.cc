@@ -5,8 +5,10 @@
 #include <setsudan/output/node_table.h>
 #include <setsudan/output/piece_mesh.h>
 #include <setsudan/parameters/lists.h>
+#include <setsudan/simulation/frame_facts.h>
 #include <setsudan/simulation/recorder.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -104,6 +106,8 @@ Recorder<dim>::save()
           warned_of_round_off,
           warned_of_strain,
           warned_of_jacobian,
+          earlier_depths,
+          framed_at,
           cut_began,
           progress.seconds()};
 }
@@ -119,6 +123,8 @@ Recorder<dim>::restore(const Record &record)
   warned_of_round_off = record.warned_of_round_off;
   warned_of_strain    = record.warned_of_strain;
   warned_of_jacobian  = record.warned_of_jacobian;
+  earlier_depths      = record.earlier_depths;
+  framed_at           = record.framed_at;
   cut_began           = record.cut_began;
   progress.continue_from(record.seconds);
 }
@@ -127,13 +133,12 @@ Recorder<dim>::restore(const Record &record)
 
 template <int dim>
 void
-Recorder<dim>::record(const std::string &name, const Event &event)
+Recorder<dim>::record(const std::string &name, Event &event)
 {
-  Event line   = event;
-  line.name    = name;
-  line.seconds = progress.seconds();
+  event.name    = name;
+  event.seconds = progress.seconds();
   if (is_first_process)
-    statistics.add(line, directory);
+    statistics.add(event, directory);
 }
 
 
@@ -153,35 +158,62 @@ Recorder<dim>::error_squares_of(const CutBody<dim> &body,
 
 
 template <int dim>
+double
+Recorder<dim>::next_time(const Event &event)
+{
+  if (scene.output.time == OutputParameters::Time::frame)
+    return event.frame;
+  if (event.cut != framed_at.first)
+    earlier_depths += framed_at.second;
+  framed_at         = {event.cut, event.depth};
+  const double time = earlier_depths + event.depth;
+  if (frames.sequence.empty())
+    return time;
+  return std::max(
+    time, frames.sequence.back().first + 1e-6 * scene.body.mesh.extent());
+}
+
+
+
+template <int dim>
 void
 Recorder<dim>::write_state(const CutBody<dim> &body,
                            const State<dim> &state,
-                           const unsigned int frame,
+                           const BladeLoad<dim> &blade,
+                           const Event &event,
                            const bool is_stage)
 {
   using Frames      = OutputParameters::Frames;
   const bool framed = scene.output.frames == Frames::every_row ||
                       (scene.output.frames == Frames::stages && is_stage);
   // The body at rest is none that has been solved for.
-  if (scene.output.calculix_decks && frame > 0)
-    write_deck(body, state, "stage_" + Utilities::to_string(frame, 4));
+  if (scene.output.calculix_decks && event.frame > 0)
+    write_deck(body, state, "stage_" + Utilities::to_string(event.frame, 4));
   if (!framed && !scene.output.node_tables)
     return;
   const LA::Vector displacement =
     body.model->discretization.with_ghosts(state.displacement);
   if (framed)
-    frames.write(frame,
-                 *body.model,
-                 displacement,
-                 body.labels,
-                 error_squares_of(body, state));
+    {
+      const double time = next_time(event);
+      frames.write(event.frame,
+                   time,
+                   body.communicator,
+                   std::make_shared<const VtuGrid>(frame_content(
+                     scene.body,
+                     *body.model,
+                     displacement,
+                     body.labels,
+                     error_squares_of(body, state),
+                     frame_facts(scene, body, blade, event, time))));
+    }
   if (scene.output.node_tables)
     write_node_table(scene.body,
                      *body.model,
                      body.seams,
                      displacement,
                      directory,
-                     "nodes_" + Utilities::to_string(frame, 4) + ".csv");
+                     "nodes_" + Utilities::to_string(event.frame, 4) + ".csv");
 }
 
 
@@ -211,12 +243,10 @@ template <int dim>
 void
 Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
 {
-  ElementDisplacements<dim> displacements;
-  if (scene.output.pieces_deformed)
-    displacements = gather_displacements(
-      body.model->discretization,
-      body.mesh.cells.size(),
-      body.model->discretization.with_ghosts(state.displacement));
+  const auto displacements = gather_displacements(
+    body.model->discretization,
+    body.mesh.cells.size(),
+    body.model->discretization.with_ghosts(state.displacement));
   if (!is_first_process)
     return;
 
@@ -229,8 +259,11 @@ Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
        make_piece_meshes(body.mesh, body.labels.piece, scene.body))
     {
       volume += piece.volume();
+      set_displacements(displacements, piece);
+      for (const unsigned int element : piece.elements_in_body)
+        piece.materials.push_back(scene.material.number(element));
       if (scene.output.pieces_deformed)
-        deform(piece, displacements);
+        deform(piece);
       const std::string name = "piece_" + std::to_string(number++);
       write_piece_msh(piece, directory, name + ".msh");
       write_piece_vtu(piece, directory, name + ".vtu");

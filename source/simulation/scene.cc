@@ -162,6 +162,12 @@ Scene<dim>::Scene(const Parameters &parameters)
   , output(parameters)
 {
   check_supports(parameters, body, supports);
+  parameters.require(output.time != OutputParameters::Time::depth ||
+                       cut.cuts.size() <= 1,
+                     "Output",
+                     "Time",
+                     "frame or travel where there are several cuts, in each of "
+                     "which depth begins anew");
   parameters.require(!output.calculix_decks ||
                        shape.element_type == ElementType::serendipity,
                      "Output",

@@ -190,7 +190,7 @@ Simulation<dim>::rest()
   if (scene.accuracy.estimate)
     event.errors = std::array<double, 2>{{0., 0.}};
   recorder.record("rest", event);
-  recorder.write_state(body, state, 0, true);
+  recorder.write_state(body, state, no_blade(body), event, true);
 }
 
 
@@ -206,7 +206,7 @@ Simulation<dim>::deform_only()
   accept(solve_state(scene, body, no_blade(body), 0, state.displacement),
          no_blade(body));
   recorder.record("deform", event);
-  recorder.write_state(body, state, event.frame, true);
+  recorder.write_state(body, state, no_blade(body), event, true);
 }
 
 
@@ -264,7 +264,8 @@ Simulation<dim>::deform(const unsigned int row)
   recorder.show_row(event, body.seam().rows().size());
   recorder.write_state(body,
                        state,
-                       event.frame,
+                       blade,
+                       event,
                        row == 0 || row + 1 == body.seam().rows().size() ||
                          !state.yields);
   reach(Checkpoint::Stage::row);
@@ -385,7 +386,7 @@ Simulation<dim>::divide()
   accept(std::move(divided), no_blade(body));
   recorder.record("release", event);
   recorder.record("divide", event);
-  recorder.write_state(body, state, event.frame, true);
+  recorder.write_state(body, state, no_blade(body), event, true);
   recorder.write_pieces(body, state);
 }
 

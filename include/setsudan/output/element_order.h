@@ -14,10 +14,10 @@ template <int dim>
 Edges
 vtk_edges();
 
-/** The nodes' coordinates one behind the other, always three each. */
+/** The components of vectors one behind the other, always three each. */
 template <int dim>
 std::vector<double>
-coordinates(const PieceMesh<dim> &piece);
+coordinates(const std::vector<dealii::Point<dim>> &vectors);
 
 /** The elements' nodes one behind the other, in another program's order and
  * counted from `first_number`. */

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <setsudan/body/body.h>
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/output/vtu.h>
 
@@ -14,18 +15,36 @@ struct ElementLabels
   std::vector<unsigned int> piece;
 };
 
+/** What a frame says of its state besides the fields. */
+struct FrameFacts
+{
+  /** The first unknowns of the nodes at the front of the cut, ascending. */
+  std::vector<dealii::types::global_dof_index> front;
+  /** What is said of the state as a whole. */
+  std::vector<VtuArray> of_state;
+};
+
 /**
- * What a frame shows of this process's cells: displacement, stress and maximum
- * shear on cells of 3^dim points, which hold quadratic fields exactly, or on
- * the corners of linear ones; and of each cell its side, piece and material.
+ * What a frame shows of this process's cells. At points, of which no two cells
+ * share one, so that what jumps between cells can be seen: displacement,
+ * stress, strain, what follows from them, the number of the node and whether it
+ * is at the front. Cells have 3^dim points, which hold quadratic fields
+ * exactly, or the corners of linear elements. Of each cell: its element, side,
+ * piece and material.
  *
+ * Points are in the order of the cells, whatever is cut: on one process a point
+ * is the same one in all frames. Called by all processes.
+ *
+ * @param body          whose elements the cells are, or parts of them.
  * @param displacement  with ghosts.
  * @param error_squares see ErrorEstimate; empty if errors are not estimated.
  */
 template <int dim>
-VtuCells
-frame_content(ElasticModel<dim> &model,
+VtuGrid
+frame_content(const Body<dim> &body,
+              ElasticModel<dim> &model,
               const LA::Vector &displacement,
               const ElementLabels &labels,
-              const dealii::Vector<double> &error_squares);
+              const dealii::Vector<double> &error_squares,
+              const FrameFacts &facts = {});
 } // namespace Setsudan

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <deal.II/lac/vector.h>
-
-#include <setsudan/output/frame_content.h>
 #include <setsudan/output/output_directory.h>
+#include <setsudan/output/vtu.h>
 
 #include <future>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,6 @@ namespace Setsudan
  * Files are compressed and written in the background, one frame after the
  * other, while the next state is solved.
  */
-template <int dim>
 class FrameWriter
 {
 public:
@@ -26,20 +24,16 @@ public:
   explicit FrameWriter(const OutputDirectory &directory);
 
   /**
-   * Write a frame: displacement, stress, maximum shear, side and piece, on
-   * quadratic cells. Called by all processes. Nothing that is handed over must
-   * live longer than the call.
+   * Write what each process shows of a frame. Called by all processes.
    *
-   * @param displacement with ghosts.
-   * @param error_squares see ErrorEstimate; empty if errors are not estimated.
+   * @param time of the frame in the sequence; it is larger than that before.
    * @throw SceneError where this frame, or the one before, cannot be written.
    */
   void
   write(const unsigned int frame,
-        ElasticModel<dim> &model,
-        const LA::Vector &displacement,
-        const ElementLabels &labels,
-        const dealii::Vector<double> &error_squares = {});
+        const double time,
+        const MPI_Comm communicator,
+        const std::shared_ptr<const VtuGrid> &content);
 
   /** Wait until all files are whole.
    *
@@ -47,7 +41,7 @@ public:
   void
   finish();
 
-  /** Frame numbers, which are the times in ParaView, and file names. */
+  /** The frames' times in ParaView, and file names. */
   std::vector<std::pair<double, std::string>> sequence;
 
 private:

@@ -20,6 +20,16 @@ struct OutputParameters
 
   std::string directory;
   Frames frames;
+
+  /** What counts as time in the sequence of frames. */
+  enum class Time
+  {
+    frame,
+    depth,
+    travel
+  };
+
+  Time time;
   bool node_tables;
   bool calculix_decks;
   /** Whether rows of which nothing else is written have only what the front

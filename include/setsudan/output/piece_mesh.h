@@ -33,10 +33,14 @@ struct PieceMesh
   std::vector<dealii::Point<dim>> nodes;
   /** The nodes' numbers in the uncut body. */
   std::vector<unsigned int> numbers_in_body;
+  /** The displacements of the nodes in the last state. */
+  std::vector<dealii::Point<dim>> displacements;
   /** Nodes of each element, in the order of nodes.h. */
   std::vector<std::array<unsigned int, n_element_nodes<dim>>> elements;
   /** The elements' numbers in the uncut body. */
   std::vector<unsigned int> elements_in_body;
+  /** The number of each element's material. */
+  std::vector<unsigned int> materials;
   /** The body's groups, as far as they are in this piece. */
   std::vector<PieceGroup> groups;
 
@@ -68,10 +72,16 @@ gather_displacements(const Discretization<dim> &discretization,
                      const unsigned int n_elements,
                      const LA::Vector &displacement);
 
-/** Move the nodes of a piece. */
+/** Set the displacements of a piece's nodes. */
 template <int dim>
 void
-deform(PieceMesh<dim> &piece, const ElementDisplacements<dim> &displacements);
+set_displacements(const ElementDisplacements<dim> &displacements,
+                  PieceMesh<dim> &piece);
+
+/** Move the nodes of a piece by their displacements. */
+template <int dim>
+void
+deform(PieceMesh<dim> &piece);
 
 /** Write a piece as a gmsh file (MSH 4.1, 20-node hexahedra or 8-node
  * quadrilaterals) with its groups, its numbers plus 1, since gmsh counts from

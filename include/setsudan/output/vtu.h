@@ -1,45 +1,54 @@
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace Setsudan
 {
-/** Numbers of points, one after the other. */
+/** An array of a VTK file, tuple by tuple. */
 struct VtuArray
 {
+  using Values = std::
+    variant<std::vector<float>, std::vector<double>, std::vector<std::int32_t>>;
+
   std::string name;
   unsigned int n_components;
-  std::vector<float> values;
+  Values values;
+  /** A name for each component, or none. */
+  std::vector<std::string> component_names = {};
 };
 
-/**
- * Cells of one kind for a VTK file of an unstructured grid. No two cells share
- * a point, so that what jumps between cells can be shown.
- */
-struct VtuCells
+/** Cells of one kind, for a VTK file of an unstructured grid. */
+struct VtuGrid
 {
   /** VTK's number of the kind. */
   unsigned char type;
-  /** The points of a cell in VTK's order, by their places in ours. */
-  std::vector<unsigned int> order;
-  /** Three coordinates of each point, cell by cell. */
-  std::vector<float> points;
-  std::vector<VtuArray> data;
-
-  unsigned int
-  n_cells() const;
+  unsigned int n_points_of_cell;
+  /** Three coordinates of each point. */
+  VtuArray::Values points;
+  /** The points of the cells, one cell after the other, in VTK's order. */
+  std::vector<std::int32_t> connectivity;
+  std::vector<VtuArray> point_data, cell_data;
+  /** What is said of the grid as a whole. Texts are names of components: not
+   * all readers take arrays of strings. */
+  std::vector<VtuArray> field_data;
 };
+
+/** Symmetric tensors have VTK's order of components. */
+const std::vector<std::string> symmetric_components =
+  {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
 
 /** Write a .vtu file, compressed for speed; the binary data come behind the
  * text, as they are. */
 void
-write_vtu(const VtuCells &cells, std::ostream &out);
+write_vtu(const VtuGrid &grid, std::ostream &out);
 
 /** Write the .pvtu file of several of them with the same data. */
 void
-write_pvtu(const VtuCells &cells,
+write_pvtu(const VtuGrid &grid,
            const std::vector<std::string> &files,
            std::ostream &out);
 } // namespace Setsudan

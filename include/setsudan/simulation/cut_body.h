@@ -4,7 +4,7 @@
 #include <setsudan/cut/seam_cells.h>
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/elasticity/piece_motions.h>
-#include <setsudan/output/frames.h>
+#include <setsudan/output/frame_content.h>
 #include <setsudan/simulation/equilibrium_choice.h>
 
 #include <memory>

@@ -23,6 +23,10 @@ struct Record
   bool warned_of_round_off = false;
   bool warned_of_strain    = false;
   bool warned_of_jacobian  = false;
+  /** How far the blade has gone in the cuts before the present one. */
+  double earlier_depths = 0;
+  /** Cut and depth of the newest frame. */
+  std::pair<unsigned int, double> framed_at{0, 0.};
   /** Seconds since the start: when the present cut began, and now. */
   double cut_began = 0;
   double seconds   = 0;
@@ -60,18 +64,21 @@ public:
   void
   restore(const Record &record);
 
-  /** Add an event of the present state to the statistics. */
+  /** Name an event of the present state, and add it to the statistics. */
   void
-  record(const std::string &name, const Event &event);
+  record(const std::string &name, Event &event);
 
   /**
    * Write a solved state, as far as the scene asks for it. `is_stage` marks
    * the states that tell the story of a cut in few pictures.
+   *
+   * @param event the newest of this state.
    */
   void
   write_state(const CutBody<dim> &body,
               const State<dim> &state,
-              const unsigned int frame,
+              const BladeLoad<dim> &blade,
+              const Event &event,
               const bool is_stage);
 
   /** Write the pieces of the body as bodies of their own.
@@ -100,6 +107,11 @@ public:
   const OutputDirectory directory;
 
 private:
+  /** The time of a new frame in the sequence, as Output/Time says; times grow,
+   * by very little where the blade stands still. */
+  double
+  next_time(const Event &event);
+
   dealii::Vector<double>
   error_squares_of(const CutBody<dim> &body, const State<dim> &state) const;
 
@@ -110,11 +122,13 @@ private:
 
   const Scene<dim> &scene;
   const bool is_first_process;
-  FrameWriter<dim> frames;
+  FrameWriter frames;
   Statistics statistics;
   bool warned_of_round_off = false;
   bool warned_of_strain    = false;
   bool warned_of_jacobian  = false;
-  double cut_began         = 0;
+  double earlier_depths    = 0;
+  std::pair<unsigned int, double> framed_at{0, 0.};
+  double cut_began = 0;
 };
 } // namespace Setsudan
