@@ -3,6 +3,7 @@
 
 #include <setsudan/parameters/lists.h>
 #include <setsudan/parameters/parameters.h>
+#include <setsudan/parameters/text_lines.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -66,6 +67,15 @@ has_extreme_number(const std::string &value)
     }
   return extreme;
 }
+
+/** Whether a line of a scene file that sets the value is read as the same. */
+bool
+can_be_written(const std::string &value)
+{
+  return without_comment("= " + value) == "= " + value &&
+         (value.empty() || value.back() != '\\') &&
+         value.find_first_of("\n\r") == std::string::npos;
+}
 } // namespace
 
 
@@ -93,10 +103,15 @@ Parameters::set(const SceneEntry &entry)
                      "'); --print-parameters lists all of them.");
   for (const auto &subsection : path)
     handler.enter_subsection(subsection);
+  check_characters(entry.value, entry.location);
   std::string problem;
   try
     {
       handler.set(entry.name, entry.value);
+      if (!can_be_written(entry.value))
+        problem = "allowed is: a value that a scene file can hold, without '#' "
+                  "behind a blank, which begins a comment, and without '\\' at "
+                  "its end, which continues a line.";
       if (has_extreme_number(entry.value))
         problem = "allowed is: a finite number, 0 or of a magnitude from "
                   "1e-307 to 1e308.";

@@ -1,9 +1,9 @@
 #include <deal.II/base/utilities.h>
 
 #include <setsudan/parameters/scene_file.h>
+#include <setsudan/parameters/text_lines.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace Setsudan
 {
@@ -21,22 +21,15 @@ struct Line
 std::vector<Line>
 read_lines(const std::string &file_name, const std::string &included_at)
 {
-  // A directory opens as a stream but cannot be read.
-  std::ifstream stream(file_name);
-  if (!stream || std::filesystem::is_directory(file_name))
-    throw SceneError(included_at + "The scene file '" + file_name +
-                     "' cannot be read.");
-
   std::vector<Line> lines;
-  std::string text;
-  bool continued = false;
-  for (unsigned int number = 1; std::getline(stream, text); ++number)
+  unsigned int number = 0;
+  bool continued      = false;
+  for (const auto &physical : read_text_lines(file_name, included_at))
     {
-      if (text.find('\0') != std::string::npos)
-        throw SceneError(
-          file_name + ":" + std::to_string(number) +
-          ": there is a character of code 0, which no text has.");
-      text = trim(text.substr(0, text.find('#')));
+      ++number;
+      const std::string text = trim(without_comment(physical));
+      check_characters(without_comment(physical),
+                       file_name + ":" + std::to_string(number));
       if (continued)
         lines.back().text += " " + text;
       else
@@ -141,6 +134,7 @@ read_scene_file(const std::string &file_name)
 SceneEntry
 parse_assignment(const std::string &assignment)
 {
+  check_characters(assignment, "--set");
   SceneEntry entry;
   std::string path;
   if (!split_assignment(assignment, path, entry.value))

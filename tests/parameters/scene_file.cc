@@ -58,6 +58,12 @@ test_line_ends()
   write_file("line_ends.prm",
              "subsection A\r\n  set B = 1, \\\r\n 2\r\nend\r\nset C = 3\r\n");
   print_entries("line_ends.prm");
+  write_file("mac.prm", "# first\rsubsection A\r  set B = 1\rend\r");
+  print_entries("mac.prm");
+  write_file("mixed.prm", "set A = 1\r\nset B = 2\rset C = 3\n\r\nset D = 4");
+  print_entries("mixed.prm");
+  write_file("mark.prm", "\xef\xbb\xbfset A = 1\n");
+  print_entries("mark.prm");
   write_file("empty.prm", "");
   print_entries("empty.prm");
 }
@@ -84,6 +90,34 @@ test_include()
   write_file("parts/ends.prm", "end\n");
   write_file("ended.prm", "subsection P\ninclude parts/ends.prm\n");
   print_refusal([] { read_scene_file("ended.prm"); });
+}
+
+
+/** What looks like a scene's character and is another is named with its place;
+ * in comments and in names in any script nothing is refused. */
+void
+test_characters()
+{
+  write_file(
+    "names.prm",
+    "set File = \u4f53#1.geo # \u2212 \u00a0 \xff\nset A = K\u00f6rper\n");
+  print_entries("names.prm");
+  const auto refuse = [](const std::string &text) {
+    write_file("wrong.prm", text);
+    print_refusal([] { read_scene_file("wrong.prm"); });
+  };
+  refuse("set A = \u22121\n");
+  refuse("\nset Young\u2019s modulus = 1\n");
+  refuse("set A = \u201cbottom\u201d\n");
+  refuse("set\u00a0A = 1\n");
+  refuse("set A = 1\u30001\n");
+  refuse("set A = \u00e9, 1\uff0c1\n");
+  refuse("set A = \u200b1\n");
+  refuse("set A = \xe9\n");
+  refuse("set A = \xc3");
+  refuse(std::string("set A = \0\n", 10));
+  refuse(std::string("\xff\xfes\0e\0t\0", 8));
+  refuse("set A = 1\n\xef\xbb\xbfset B = 1\n");
 }
 
 
@@ -119,6 +153,7 @@ test_assignments()
     }
   print_refusal([] { parse_assignment("Body/Size"); });
   print_refusal([] { parse_assignment("=3"); });
+  print_refusal([] { parse_assignment("A=\u22123"); });
 }
 
 
@@ -129,6 +164,7 @@ main(int argc, char **argv)
     test_syntax();
     test_line_ends();
     test_include();
+    test_characters();
     test_refusals();
     test_assignments();
   });

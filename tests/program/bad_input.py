@@ -57,6 +57,7 @@ def syntax():
     yield wrong_line("set Dimension = \0", "a character of code 0")
     # Control characters are not quoted as such.
     yield wrong_line("set Dimension = \x1b[2J", "'Dimension' is '?[2J'")
+    yield wrong_line("set Dimension = \u2212" + "3", ":17: ", "U+2212", "write -")
     yield wrong_text(
         "missing end", GOOD_TEXT + subsection, "scene.prm:", "'Body' has no 'end'"
     )
@@ -89,6 +90,9 @@ def options():
         "--set", "Body/Size=1,1", pieces=["--set: subsection Body, 'Size' is '1,1'"]
     )
     yield wrong_option("--set", "Dimension=4", pieces=["--set: 'Dimension' is '4'"])
+    for value in ("a #b", "#b", "a\\", "a\nb"):
+        yield wrong_option("--output", value, pieces=["that a scene file can hold"])
+    yield wrong_option("--output", "a\u00a0b", pieces=["--output:2: ", "U+00A0"])
 
 
 def output():

@@ -26,8 +26,8 @@ struct SceneEntry
 
 /**
  * Read a scene file in deal.II's parameter syntax: `subsection`, `set`, `end`,
- * comments after '#', lines continued by a final '\', and `include FILE`
- * (relative to the including file).
+ * comments after a '#' at the beginning of a line or behind a blank, lines
+ * continued by a final '\', and `include FILE` (relative to the including file).
  *
  * dealii::ParameterHandler reads the same syntax but forgets the lines, which
  * every message of a later check needs; so the lines are read here and handed
@@ -42,7 +42,8 @@ read_scene_file(const std::string &file_name);
  * The entry that the command line option `--set Subsection/Name=value` stands
  * for; a parameter outside all subsections is `Name=value`.
  *
- * @throw SceneError where there is no '='.
+ * @throw SceneError where there is no '=', or for characters that are none of
+ * a scene (see check_characters()).
  */
 SceneEntry
 parse_assignment(const std::string &assignment);

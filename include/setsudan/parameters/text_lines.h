@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The lines of a text file in UTF-8. They end as on Unix, on Windows, or with
+ * carriage returns only; a byte order mark before the first is no part of it.
+ *
+ * @param sentence_begins stands in front of messages about the file itself.
+ * @throw SceneError where the file cannot be read or is in UTF-16.
+ */
+std::vector<std::string>
+read_text_lines(const std::string &file_name,
+                const std::string &sentence_begins);
+
+/** The part of a line before its comment, which begins with a '#' at the
+ * beginning of the line or behind a blank: so names of files can have one. */
+std::string
+without_comment(const std::string &line);
+
+/**
+ * Refuse characters that look like what a scene means and are something else,
+ * as word processors and web pages put them: typographic minus signs, quotes
+ * and blanks, and bytes that are no UTF-8.
+ *
+ * @param place of the text, in front of the column: "scene.prm:12".
+ * @throw SceneError that names the first such character.
+ */
+void
+check_characters(const std::string &text, const std::string &place);
+} // namespace Setsudan
