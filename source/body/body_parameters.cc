@@ -126,6 +126,8 @@ make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
   };
   Body<dim> body = make();
   choice.transformation.apply(body);
+  body.has_middle_nodes =
+    choice.element_type != ElementType::linear || choice.refinement > 0;
   return body;
 }
 

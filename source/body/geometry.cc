@@ -166,6 +166,39 @@ volume_of_element(const ElementNodes<dim> &nodes)
 
 
 
+namespace
+{
+/** The lengths of the shortest and the longest straight line between the ends
+ * of an element's lines. */
+template <int dim>
+std::pair<double, double>
+extreme_lengths(const ElementNodes<dim> &nodes)
+{
+  double shortest = std::numeric_limits<double>::max(), longest = 0;
+  for (unsigned int node = GeometryInfo<dim>::vertices_per_cell;
+       node < nodes.size();
+       ++node)
+    {
+      const auto ends     = vertices_of_node<dim>(node);
+      const double length = nodes[ends[0]].distance(nodes[ends[1]]);
+      shortest            = std::min(shortest, length);
+      longest             = std::max(longest, length);
+    }
+  return {shortest, longest};
+}
+} // namespace
+
+
+
+template <int dim>
+double
+coordinate_tolerance(const ElementNodes<dim> &nodes)
+{
+  return 1e-6 * extreme_lengths<dim>(nodes).first;
+}
+
+
+
 template <int dim>
 double
 scaled_jacobian(const ElementNodes<dim> &nodes)
@@ -179,15 +212,7 @@ scaled_jacobian(const ElementNodes<dim> &nodes)
   double smallest = std::numeric_limits<double>::max();
   for (const auto &gradients : table)
     smallest = std::min(smallest, determinant(jacobian(nodes, gradients)));
-  double longest = 0;
-  for (unsigned int node = GeometryInfo<dim>::vertices_per_cell;
-       node < nodes.size();
-       ++node)
-    {
-      const auto ends = vertices_of_node<dim>(node);
-      longest = std::max(longest, nodes[ends[0]].distance(nodes[ends[1]]));
-    }
-  return smallest / std::pow(longest, dim);
+  return smallest / std::pow(extreme_lengths<dim>(nodes).second, dim);
 }
 
 
@@ -220,6 +245,10 @@ template double
 volume_of_element(const ElementNodes<2> &);
 template double
 volume_of_element(const ElementNodes<3> &);
+template double
+coordinate_tolerance(const ElementNodes<2> &);
+template double
+coordinate_tolerance(const ElementNodes<3> &);
 template double
 scaled_jacobian(const ElementNodes<2> &);
 template double

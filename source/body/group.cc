@@ -1,39 +1,41 @@
 #include <setsudan/body/group.h>
 
-#include <algorithm>
-
 namespace Setsudan
 {
 std::vector<const Group *>
 find_groups(const std::vector<Group> &groups, const std::string &word)
 {
-  std::vector<const Group *> named, numbered;
+  std::vector<const Group *> found;
   for (const auto &group : groups)
-    {
-      if (!word.empty() && group.name == word)
-        named.push_back(&group);
-      if (std::to_string(group.number) == word)
-        numbered.push_back(&group);
-    }
-  return named.empty() ? numbered : named;
+    if (!word.empty() &&
+        (group.name == word || std::to_string(group.number) == word))
+      found.push_back(&group);
+  return found;
 }
 
 
 
 std::string
-list_groups(const std::vector<Group> &groups)
+describe_group(const Group &group, const unsigned int dim)
 {
-  std::vector<std::string> names;
-  for (const auto &group : groups)
-    {
-      const std::string name =
-        group.name.empty() ? std::to_string(group.number) : group.name;
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    }
+  const std::string kind   = group.dimension == dim       ? "elements"
+                             : group.dimension + 1 == dim ? "faces"
+                             : group.dimension == 1       ? "lines"
+                                                          : "points";
+  const std::string number = std::to_string(group.number);
+  return group.name.empty()
+           ? number + " (" + kind + ")"
+           : '"' + group.name + "\" (" + number + ", " + kind + ")";
+}
+
+
+
+std::string
+list_groups(const std::vector<const Group *> &groups, const unsigned int dim)
+{
   std::string text;
-  for (const auto &name : names)
-    text += (text.empty() ? "" : ", ") + name;
+  for (const Group *group : groups)
+    text += (text.empty() ? "" : ", ") + describe_group(*group, dim);
   return text;
 }
 } // namespace Setsudan

@@ -83,11 +83,13 @@ Region<dim>::contains(const Body<dim> &body,
     return true;
   if (has_box)
     {
-      const auto point =
-        point_of_element(body.mesh.node_positions(cell), unit_point);
-      bool inside = true;
+      const auto nodes     = body.mesh.node_positions(cell);
+      const auto point     = point_of_element(nodes, unit_point);
+      const double allowed = coordinate_tolerance<dim>(nodes);
+      bool inside          = true;
       for (unsigned int d = 0; d < dim; ++d)
-        inside = inside && point[d] >= lower[d] && point[d] <= upper[d];
+        inside = inside && point[d] >= lower[d] - allowed &&
+                 point[d] <= upper[d] + allowed;
       return inside;
     }
   if (nodes.empty())

@@ -1,4 +1,7 @@
-#include <setsudan/body/groups_of_word.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <setsudan/body/group_of_word.h>
+#include <setsudan/body/node_of_word.h>
 #include <setsudan/body/support_parameters.h>
 #include <setsudan/parameters/lists.h>
 
@@ -25,7 +28,8 @@ SupportParameters<dim>::declare(ParameterHandler &handler)
                "components', separated by ';', such as 'back : y; outer : "
                "xy'.");
   declare_text("Fixed boxes",
-               std::string("All nodes within a box in space, as '") +
+               std::string("All nodes within a box in space, up to a millionth "
+                           "of their element, as '") +
                  (dim == 3 ? "x0, y0, z0, x1, y1, z1 : components'"
                            : "x0, y0, x1, y1 : components'") +
                  ", separated by ';' [length].");
@@ -74,9 +78,41 @@ parse_components(const std::string &word)
 
 template <int dim>
 const std::string axes = dim == 3 ? "x, y and z" : "x and y";
+
+template <int dim>
+Region<dim>
+region_of_word(const Parameters &parameters,
+               const std::string &name,
+               const Body<dim> &body,
+               const std::string &word)
+{
+  return Region<dim>(
+    body,
+    {&group_of_word(
+      parameters, "Support", name, body, word, GroupKind::faces_or_nodes)});
+}
+
+/** Whether a region holds any node of the body, whose elements are halved so
+ * often. */
+template <int dim>
+bool
+holds_nodes(const Region<dim> &region,
+            const Body<dim> &body,
+            const unsigned int n_halvings)
+{
+  // Of the finest elements the middles of faces are no nodes, which is no
+  // matter here; and behind some halvings there are nodes everywhere.
+  if (n_halvings > 3)
+    return true;
+  const QIterated<dim> grid(QTrapezoid<1>(),
+                            (body.has_middle_nodes ? 2 : 1) << n_halvings);
+  for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
+    for (const auto &point : grid.get_points())
+      if (region.contains(body, cell, point))
+        return true;
+  return false;
+}
 } // namespace
-
-
 template <int dim>
 SupportParameters<dim>::SupportParameters(const Parameters &parameters,
                                           const Body<dim> &body)
@@ -87,21 +123,11 @@ SupportParameters<dim>::SupportParameters(const Parameters &parameters,
   // What moves comes first: see Supports::find_contradiction().
   read_displacements(parameters, body);
   read_groups(parameters, body);
-  read_boxes(parameters);
-
+  read_boxes(parameters, body);
   std::set<unsigned int> nodes;
-  for (const double node : parameters.numbers("Support", "Fixed nodes"))
-    {
-      nodes.insert(static_cast<unsigned int>(node));
-      parameters.require(
-        body.has_node(static_cast<unsigned int>(node)),
-        "Support",
-        "Fixed nodes",
-        body.box
-          ? "node numbers from 0 to " + std::to_string(body.n_nodes() - 1)
-          : "node numbers of the file, and " +
-              std::to_string(static_cast<unsigned int>(node)) + " is none");
-    }
+  for (const auto &word : split(parameters.text("Support", "Fixed nodes"), ','))
+    nodes.insert(
+      node_of_word(parameters, "Support", "Fixed nodes", body, word));
   if (!nodes.empty())
     supports.push_back({Region<dim>(nodes), std::bitset<dim>().set(), {}});
 }
@@ -114,12 +140,9 @@ SupportParameters<dim>::read_groups(const Parameters &parameters,
                                     const Body<dim> &body)
 {
   for (const auto &word : split(parameters.text("Support", "Fixed faces"), ','))
-    supports.push_back(
-      {Region<dim>(
-         body,
-         groups_of_word(parameters, "Support", "Fixed faces", body, word)),
-       std::bitset<dim>().set(),
-       {}});
+    supports.push_back({region_of_word(parameters, "Fixed faces", body, word),
+                        std::bitset<dim>().set(),
+                        {}});
   for (const auto &[word, text] :
        split_items(parameters.text("Support", "Fixed components"), ';'))
     {
@@ -130,9 +153,7 @@ SupportParameters<dim>::read_groups(const Parameters &parameters,
                          "'group : components' with components of " +
                            axes<dim> + ", separated by ';'");
       supports.push_back(
-        {Region<dim>(body,
-                     groups_of_word(
-                       parameters, "Support", "Fixed components", body, word)),
+        {region_of_word(parameters, "Fixed components", body, word),
          components,
          {}});
     }
@@ -142,7 +163,8 @@ SupportParameters<dim>::read_groups(const Parameters &parameters,
 
 template <int dim>
 void
-SupportParameters<dim>::read_boxes(const Parameters &parameters)
+SupportParameters<dim>::read_boxes(const Parameters &parameters,
+                                   const Body<dim> &body)
 {
   for (const auto &[corners, text] :
        split_items(parameters.text("Support", "Fixed boxes"), ';'))
@@ -164,7 +186,16 @@ SupportParameters<dim>::read_boxes(const Parameters &parameters)
                          "the smallest, then the largest coordinates, ':' and "
                          "components of " +
                            axes<dim> + ", separated by ';'");
-      supports.push_back({Region<dim>(lower, upper), components, {}});
+      const Region<dim> box(lower, upper);
+      parameters.require(
+        holds_nodes(box,
+                    body,
+                    parameters.natural("Body", "Refinement") +
+                      parameters.numbers("Cut", "Refinement near cut")[0]),
+        "Support",
+        "Fixed boxes",
+        "boxes that hold nodes of the body, and '" + corners + "' holds none");
+      supports.push_back({box, components, {}});
     }
 }
 
@@ -198,9 +229,7 @@ SupportParameters<dim>::read_displacements(const Parameters &parameters,
         "'group : " + std::string(dim == 3 ? "ux, uy, uz" : "ux, uy") +
           "' with numbers or 'free', separated by ';'");
       supports.push_back(
-        {Region<dim>(
-           body,
-           groups_of_word(parameters, "Support", "Displacements", body, word)),
+        {region_of_word(parameters, "Displacements", body, word),
          components,
          displacement});
     }

@@ -35,8 +35,7 @@ check_surface(const Parameters &parameters,
   };
   require(!surface.empty(),
           "surfaces that pass between elements of the body, and '" + text +
-            "' touches no face of an element inside the body (and inside of "
-            "Cut/Extent)");
+            "' touches no face of an element inside the body");
   const auto branchings = find_branchings(body, surface);
   require(branchings.empty(),
           "surfaces with two sides, and '" + text +

@@ -1,3 +1,4 @@
+#include <setsudan/body/geometry.h>
 #include <setsudan/cut/cut_checks.h>
 #include <setsudan/cut/cut_parameters.h>
 #include <setsudan/cut/surface_grammar.h>
@@ -37,7 +38,8 @@ CutParameters<dim>::declare(ParameterHandler &handler)
     std::string("How much of a surface is cut: 'all', 'depth : "
                 "d' from the blade's entry, or 'box : ") +
       (dim == 3 ? "x0, y0, z0, x1, y1, z1'" : "x0, y0, x1, y1'") +
-      "; an element face is cut if its center lies within. "
+      "; an element face is cut if its center lies within, up to a millionth "
+      "of the element. "
       "One item for all surfaces, or one for each, separated "
       "by ';' [length].");
   Setsudan::declare(handler,
@@ -91,7 +93,9 @@ limit_surface(const Body<dim> &body,
       Point<dim> center;
       for (const auto &node : nodes)
         center += node / double(nodes.size());
-      if (extent(center, direction, entry))
+      const double tolerance =
+        coordinate_tolerance<dim>(body.mesh.node_positions(face.minus.first));
+      if (extent(center, tolerance, direction, entry))
         limited.push_back(face);
     }
   return limited;
@@ -164,8 +168,15 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
       // The depth is measured as the blade travels in the whole surface.
       const BladeEdge<dim> whole(areas_of_faces(body, surface.faces),
                                  direction);
-      surface.faces = limit_surface(
+      const bool was_empty = surface.faces.empty();
+      surface.faces        = limit_surface(
         body, surface.faces, for_cut(extents, c), whole.direction);
+      parameters.require(was_empty || !surface.faces.empty(),
+                         "Cut",
+                         "Extent",
+                         "parts of the surfaces, and this one holds the center "
+                         "of no element face of '" +
+                           items[c].text + "'");
       check_surface(parameters, body, items[c].text, surface.faces);
       cuts.push_back(
         {items[c].text,

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
+#include <limits>
 namespace Setsudan
 {
 using namespace dealii;
@@ -89,7 +89,26 @@ LevelSet<dim>::distance(const Point<dim> &point, const double size) const
       gradient[d] = (function(behind) - function(before)) / (2 * step);
     }
   const double value = function(point);
-  return value == 0 ? 0. : std::abs(value) / gradient.norm();
+  return value == 0 ? 0. : value / gradient.norm();
+}
+
+
+
+template <int dim>
+int
+LevelSet<dim>::side(const CoarseMesh<dim> &mesh, const unsigned int cell) const
+{
+  const Point<dim> center = mesh.cell_center(cell);
+  const Point<dim> corner = mesh.vertices[mesh.cells[cell].vertices[0]];
+  const double value      = function(center);
+  // Far from the surface there is no need to know the distance.
+  if (std::abs(value) < 1e-3 * std::abs(function(corner) - value))
+    {
+      const double size = center.distance(corner);
+      if (std::abs(distance(center, size)) <= 1e-6 * size)
+        return 1;
+    }
+  return value < 0 ? -1 : 1;
 }
 
 
@@ -98,19 +117,28 @@ template <int dim>
 ChosenSurface<dim>
 LevelSet<dim>::choose(const Body<dim> &body) const
 {
-  std::vector<int> side(body.mesh.cells.size());
-  for (unsigned int cell = 0; cell < side.size(); ++cell)
-    side[cell] = function(body.mesh.cell_center(cell)) < 0 ? -1 : 1;
+  std::vector<int> sides(body.mesh.cells.size());
+  for (unsigned int cell = 0; cell < sides.size(); ++cell)
+    sides[cell] = side(body.mesh, cell);
   ChosenSurface<dim> surface;
-  surface.faces = faces_between(body, side);
+  surface.faces   = faces_between(body, sides);
+  double smallest = std::numeric_limits<double>::max(), largest = -smallest;
   for (const auto &face : surface.faces)
     {
       const auto nodes  = body.mesh.node_positions(face.minus.first);
       const double size = std::pow(volume_of_element<dim>(nodes), 1. / dim);
       for (unsigned int node = 0; node < nodes.size(); ++node)
         if (node_is_on_face<dim>(node, face.minus.second))
-          surface.roughness =
-            std::max(surface.roughness, distance(nodes[node], size) / size);
+          {
+            const double off = distance(nodes[node], size) / size;
+            smallest         = std::min(smallest, off);
+            largest          = std::max(largest, off);
+          }
+    }
+  if (!surface.faces.empty())
+    {
+      surface.roughness  = std::max(std::abs(smallest), std::abs(largest));
+      surface.unevenness = largest - smallest;
     }
   return surface;
 }
@@ -134,11 +162,14 @@ GroupOfFaces<dim>::choose(const Body<dim> &body) const
   for (const auto &face : faces)
     {
       const auto cells = index.find(face);
-      if (cells.size() != 2)
-        throw std::runtime_error(
-          "it lies on the boundary of the body, where there is nothing to cut");
-      surface.faces.push_back({cells[0], cells[1]});
+      if (cells.size() == 2)
+        surface.faces.push_back({cells[0], cells[1]});
+      else
+        ++surface.n_open;
     }
+  if (surface.faces.empty())
+    throw std::runtime_error(
+      "it lies on the boundary of the body, where there is nothing to cut");
   if (find_branchings(body, surface.faces).empty() &&
       !orient_surface(body, surface.faces))
     throw std::runtime_error(
@@ -167,7 +198,9 @@ Interface<dim>::choose(const Body<dim> &body) const
     side[cell] = -1;
   for (const unsigned int cell : plus)
     side[cell] = 1;
-  return {faces_between(body, side), 0.};
+  ChosenSurface<dim> surface;
+  surface.faces = faces_between(body, side);
+  return surface;
 }
 
 

@@ -1,6 +1,6 @@
 #include <deal.II/base/utilities.h>
 
-#include <setsudan/body/groups_of_word.h>
+#include <setsudan/body/group_of_word.h>
 #include <setsudan/cut/expression.h>
 #include <setsudan/cut/surface_grammar.h>
 #include <setsudan/parameters/lists.h>
@@ -77,6 +77,25 @@ read_plane(const Parameters &parameters,
 
 
 
+/** What is wrong with the values of an expression at the body's corners. */
+template <int dim>
+std::string
+problem_in_body(const Expression<dim> &expression, const Body<dim> &body)
+{
+  bool is_comparison = true;
+  for (const auto &vertex : body.mesh.vertices)
+    {
+      const double value = expression(vertex);
+      if (!std::isfinite(value))
+        return "no number somewhere in the body";
+      is_comparison = is_comparison && (value == 0 || value == 1);
+    }
+  if (is_comparison && expression.compares())
+    return "it compares; write f(" + std::string(dim == 3 ? "x,y,z" : "x,y") +
+           ") that is 0 on the cut, such as 'y - 2' for 'y == 2'";
+  return "";
+}
+
 template <int dim>
 std::shared_ptr<SurfaceChoice<dim>>
 read_expression(const Parameters &parameters,
@@ -87,9 +106,7 @@ read_expression(const Parameters &parameters,
   const Expression<dim> expression(variables, text);
   std::string problem = expression.problem();
   if (problem.empty())
-    for (const auto &vertex : body.mesh.vertices)
-      if (!std::isfinite(expression(vertex)))
-        problem = "no number somewhere in the body";
+    problem = problem_in_body(expression, body);
   if (!problem.empty())
     reject(parameters,
            "'where : expression' in " + variables +
@@ -105,33 +122,9 @@ read_group(const Parameters &parameters,
            const Body<dim> &body,
            const std::string &word)
 {
-  std::vector<EntityKey> faces;
-  for (const Group *group :
-       groups_of_word(parameters, "Cut", "Surfaces", body, word))
-    if (group->dimension == dim - 1)
-      faces.insert(faces.end(), group->entities.begin(), group->entities.end());
-  if (faces.empty())
-    reject(parameters,
-           "groups of faces inside the body, and '" + word + "' is none");
-  return std::make_shared<GroupOfFaces<dim>>(faces);
-}
-
-
-
-template <int dim>
-std::vector<unsigned int>
-elements_of_word(const Parameters &parameters,
-                 const Body<dim> &body,
-                 const std::string &word)
-{
-  std::vector<unsigned int> cells;
-  for (const Group *group :
-       groups_of_word(parameters, "Cut", "Surfaces", body, word))
-    cells.insert(cells.end(), group->cells.begin(), group->cells.end());
-  if (cells.empty())
-    reject(parameters,
-           "between two groups of elements, and '" + word + "' is none");
-  return cells;
+  return std::make_shared<GroupOfFaces<dim>>(
+    group_of_word(parameters, "Cut", "Surfaces", body, word, GroupKind::faces)
+      .entities);
 }
 
 
@@ -145,9 +138,13 @@ read_interface(const Parameters &parameters,
   const auto words = split(text, ',');
   if (words.size() != 2)
     reject(parameters, "'between : A, B' with two groups of elements");
-  return std::make_shared<Interface<dim>>(
-    elements_of_word(parameters, body, words[0]),
-    elements_of_word(parameters, body, words[1]));
+  const auto elements = [&](const std::string &word) {
+    return group_of_word(
+             parameters, "Cut", "Surfaces", body, word, GroupKind::elements)
+      .cells;
+  };
+  return std::make_shared<Interface<dim>>(elements(words[0]),
+                                          elements(words[1]));
 }
 } // namespace
 
@@ -203,25 +200,29 @@ read_extents(const Parameters &parameters, const unsigned int n_surfaces)
       std::vector<double> values;
       const bool numbers = parse_numbers(text, values);
       if (kind == "all" && text.empty())
-        extents.push_back([](const Point<dim> &, const Vector &, const double) {
-          return true;
-        });
+        extents.push_back(
+          [](const Point<dim> &, const double, const Vector &, const double) {
+            return true;
+          });
       else if (kind == "depth" && numbers && values.size() == 1 &&
                values[0] > 0)
         extents.push_back([depth = values[0]](const Point<dim> &center,
+                                              const double tolerance,
                                               const Vector &direction,
                                               const double entry) {
-          return direction * Vector(center) - entry < depth;
+          return direction * Vector(center) - entry <= depth + tolerance;
         });
       else if (kind == "box" && numbers && values.size() == 2 * dim)
-        extents.push_back(
-          [values](const Point<dim> &center, const Vector &, const double) {
-            bool inside = true;
-            for (unsigned int d = 0; d < dim; ++d)
-              inside = inside && center[d] >= values[d] &&
-                       center[d] <= values[dim + d];
-            return inside;
-          });
+        extents.push_back([values](const Point<dim> &center,
+                                   const double tolerance,
+                                   const Vector &,
+                                   const double) {
+          bool inside = true;
+          for (unsigned int d = 0; d < dim; ++d)
+            inside = inside && center[d] >= values[d] - tolerance &&
+                     center[d] <= values[dim + d] + tolerance;
+          return inside;
+        });
       else
         parameters.reject("Cut",
                           "Extent",

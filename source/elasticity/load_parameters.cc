@@ -1,5 +1,6 @@
 #include <setsudan/body/face_index.h>
-#include <setsudan/body/groups_of_word.h>
+#include <setsudan/body/group_of_word.h>
+#include <setsudan/body/node_of_word.h>
 #include <setsudan/elasticity/loads.h>
 #include <setsudan/parameters/lists.h>
 
@@ -95,23 +96,18 @@ faces_of_word(const Parameters &parameters,
               const std::string &word)
 {
   std::vector<CellFace> faces;
-  for (const Group *group :
-       groups_of_word(parameters, "Load", name, body, word))
-    for (const auto &entity : group->entities)
-      {
-        const auto cells = index.find(entity);
-        parameters.require(cells.size() == 1,
-                           "Load",
-                           name,
-                           "values for groups of the body's surface, and '" +
-                             word + "' is no part of it");
-        faces.push_back(cells[0]);
-      }
-  parameters.require(!faces.empty(),
-                     "Load",
-                     name,
-                     "values for groups of the body's surface, and '" + word +
-                       "' holds elements");
+  for (const auto &entity :
+       group_of_word(parameters, "Load", name, body, word, GroupKind::faces)
+         .entities)
+    {
+      const auto cells = index.find(entity);
+      parameters.require(cells.size() == 1,
+                         "Load",
+                         name,
+                         "values for groups of the body's surface, and '" +
+                           word + "' is no part of it");
+      faces.push_back(cells[0]);
+    }
   return faces;
 }
 } // namespace
@@ -143,18 +139,9 @@ LoadParameters<dim>::LoadParameters(const Parameters &parameters,
   for (const auto &[node, values] : read_items(
          parameters, "Nodal forces", dim, "'node number : " + components + "'"))
     {
-      std::vector<double> number;
-      parameters.require(parse_numbers(node, number) && number.size() == 1 &&
-                           number[0] >= 0 &&
-                           number[0] == static_cast<unsigned int>(number[0]) &&
-                           body.has_node(static_cast<unsigned int>(number[0])),
-                         "Load",
-                         "Nodal forces",
-                         body.box ? "forces on node numbers from 0 to " +
-                                      std::to_string(body.n_nodes() - 1)
-                                  : "forces on node numbers of the file");
       const auto inserted = nodal_forces.emplace(
-        static_cast<unsigned int>(number[0]), to_tensor<dim>(values));
+        node_of_word(parameters, "Load", "Nodal forces", body, node),
+        to_tensor<dim>(values));
       parameters.require(
         inserted.second, "Load", "Nodal forces", "forces on nodes, each once");
     }

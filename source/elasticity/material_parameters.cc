@@ -1,6 +1,6 @@
 #include <deal.II/base/utilities.h>
 
-#include <setsudan/body/groups_of_word.h>
+#include <setsudan/body/group_of_word.h>
 #include <setsudan/elasticity/material_parameters.h>
 #include <setsudan/parameters/lists.h>
 
@@ -114,17 +114,13 @@ read_values(const Parameters &parameters,
         }
       if (values.size() != body.mesh.cells.size())
         values.assign(body.mesh.cells.size(), all_given ? values[0] : 0.);
-      for (const Group *group :
-           groups_of_word(parameters, "Material", name, body, word))
+      for (const unsigned int cell :
+           group_of_word(
+             parameters, "Material", name, body, word, GroupKind::elements)
+             .cells)
         {
-          reject_unless(group->dimension == dim,
-                        "values for groups of elements, and '" + word +
-                          "' is none");
-          for (const unsigned int cell : group->cells)
-            {
-              values[cell] = number[0];
-              given[cell]  = true;
-            }
+          values[cell] = number[0];
+          given[cell]  = true;
         }
     }
   reject_unless(!values.empty(), allowed);

@@ -72,12 +72,18 @@ describe_roughness(const Cut<dim> &cut)
 {
   std::ostringstream line;
   line.precision(2);
-  line << "the elements do not follow this surface: their faces leave it by up "
-          "to "
-       << cut.surface.roughness
-       << " element sizes. Mesh the body along it, or take smaller elements "
-          "(Body/Elements, or the options of the file; Body/Refinement does "
-          "not help).";
+  // What differs by less is no step, but the digits of a file.
+  const bool is_even = cut.surface.unevenness < 1e-3;
+  line << "the elements do not follow this surface: ";
+  if (is_even)
+    line << "the cut is as flat as it, but lies beside it, by "
+         << cut.surface.roughness
+         << " element sizes, where the nearest boundary between elements is. ";
+  else
+    line << "the cut is stepped, and leaves it by up to "
+         << cut.surface.roughness << " element sizes. ";
+  line << "Mesh the body along it, or take smaller elements (Body/Elements, or "
+          "the options of the file; Body/Refinement does not help).";
   return line.str();
 }
 

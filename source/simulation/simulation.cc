@@ -227,6 +227,11 @@ Simulation<dim>::approach(const unsigned int cut)
   event.released_rows = 0;
   recorder.warn_anew();
   recorder.progress.say(describe_cut(body, cut));
+  if (chosen.surface.n_open > 0)
+    recorder.progress.say("  " + std::to_string(chosen.surface.n_open) +
+                          " element faces of it lie on the surface of the "
+                          "body, which is open there "
+                          "already: they are left out.");
   if (chosen.surface.roughness > 1e-6)
     recorder.progress.warn(describe_roughness(chosen));
   return true;

@@ -28,6 +28,13 @@ struct Body
   /** The layers of elements, where the body is a box. */
   std::optional<BoxNumbering<dim>> box;
 
+  /** Whether the nodes in the middle of lines are nodes of the model: they are
+   * not, where elements are linear and not refined. */
+  bool has_middle_nodes = true;
+
+  /** Nodes of the file that belong to no element, ascending. */
+  std::vector<unsigned int> unused_nodes;
+
   /** How many different nodes there are. */
   unsigned int
   n_nodes() const;

@@ -44,6 +44,14 @@ template <int dim>
 dealii::Tensor<1, dim>
 area_vector_of_face(const ElementNodes<dim> &nodes, const unsigned int face);
 
+/** How far a coordinate of a point of an element may lie beside a number that a
+ * scene gives and still be meant by it: a millionth of the element's shortest
+ * line. Sums of lengths are exact up to round-off only, and people write four
+ * digits. */
+template <int dim>
+double
+coordinate_tolerance(const ElementNodes<dim> &nodes);
+
 /** Volume (area in 2D), by Gauss's rule with 3 points in each direction. */
 template <int dim>
 double

@@ -2,7 +2,6 @@
 
 #include <setsudan/body/entity_key.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -25,15 +24,18 @@ struct Group
   std::vector<EntityKey> entities;
 };
 
-/**
- * The groups that a word of a scene means: those of that name (without regard
- * to their dimension, as gmsh allows the same name again), or, where the word
- * is a number and no name, those of that number.
- */
+/** The groups that have a word as their name, or as their number. */
 std::vector<const Group *>
 find_groups(const std::vector<Group> &groups, const std::string &word);
 
-/** The groups that can be addressed, as a list for messages. */
+/** A group as messages name it: "ground" (2, faces), with its number, or
+ * 2 (faces) where it has no name.
+ *
+ * @param dim the dimension of the body. */
 std::string
-list_groups(const std::vector<Group> &groups);
+describe_group(const Group &group, const unsigned int dim);
+
+/** Groups as a list for messages. */
+std::string
+list_groups(const std::vector<const Group *> &groups, const unsigned int dim);
 } // namespace Setsudan

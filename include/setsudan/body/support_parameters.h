@@ -46,7 +46,7 @@ private:
   read_groups(const Parameters &parameters, const Body<dim> &body);
 
   void
-  read_boxes(const Parameters &parameters);
+  read_boxes(const Parameters &parameters, const Body<dim> &body);
 
   void
   read_displacements(const Parameters &parameters, const Body<dim> &body);

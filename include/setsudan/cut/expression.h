@@ -8,7 +8,9 @@
 
 namespace Setsudan
 {
-/** A function of position that the scene gives as a text, for muParser. */
+/** A function of position that the scene gives as a text, for muParser: one
+ * expression, without lists and assignments, of which muParser would take the
+ * last value. */
 template <int dim>
 class Expression
 {
@@ -20,6 +22,10 @@ public:
   const std::string &
   problem() const;
 
+  /** Whether it has comparisons, whose values are 0 and 1. */
+  bool
+  compares() const;
+
   /** @pre there is no problem. */
   double
   operator()(const dealii::Point<dim> &point) const;
@@ -27,5 +33,6 @@ public:
 private:
   std::shared_ptr<dealii::FunctionParser<dim>> parser;
   std::string what_is_wrong;
+  bool has_comparison;
 };
 } // namespace Setsudan

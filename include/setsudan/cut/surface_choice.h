@@ -20,6 +20,12 @@ struct ChosenSurface
   /** Largest distance of the faces' nodes from the surface that was asked for,
    * in element sizes; 0 where the faces are that surface. */
   double roughness = 0;
+  /** How much that distance differs from node to node, with its sign: 0 for
+   * faces that run beside the surface, large for a cut in steps. */
+  double unevenness = 0;
+  /** How many faces of the surface are left out, because the body is open there
+   * already. */
+  unsigned int n_open = 0;
 };
 
 /** One item of `Cut/Surfaces`. */
@@ -67,8 +73,16 @@ public:
   choose(const Body<dim> &body) const override;
 
 private:
+  /** The distance from the surface, with the function's sign.
+   *
+   * @param size of the element that the point belongs to. */
   double
   distance(const dealii::Point<dim> &point, const double size) const;
+
+  /** The side of a cell: plus for those whose centers the surface passes
+   * through, up to round-off, however the body lies in space. */
+  int
+  side(const CoarseMesh<dim> &mesh, const unsigned int cell) const;
 
   const Function function;
 };
@@ -80,8 +94,11 @@ class GroupOfFaces : public SurfaceChoice<dim>
 public:
   explicit GroupOfFaces(const std::vector<EntityKey> &faces);
 
-  /** @throw std::runtime_error where the group lies on the boundary or is no
-   * surface with two sides. */
+  /** Faces on the boundary of the body, which earlier cuts have opened, are
+   * left out.
+   *
+   * @throw std::runtime_error where all are, or where the group is no surface
+   * with two sides. */
   ChosenSurface<dim>
   choose(const Body<dim> &body) const override;
 

@@ -27,10 +27,12 @@ template <int dim>
 std::vector<SurfaceItem<dim>>
 read_surfaces(const Parameters &parameters, const Body<dim> &body);
 
-/** A part of space that a cut is limited to: whether it holds a face's center,
- * for a blade that travels along `direction` and enters at `entry`. */
+/** A part of space that a cut is limited to: whether it holds a face's center
+ * up to a tolerance, for a blade that travels along `direction` and enters at
+ * `entry`. */
 template <int dim>
 using Extent = std::function<bool(const dealii::Point<dim> &center,
+                                  const double tolerance,
                                   const dealii::Tensor<1, dim> &direction,
                                   const double entry)>;
 
