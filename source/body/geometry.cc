@@ -3,6 +3,7 @@
 
 #include <setsudan/body/geometry.h>
 #include <setsudan/element/serendipity_polynomials.h>
+#include <setsudan/parameters/lists.h>
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +192,18 @@ extreme_lengths(const ElementNodes<dim> &nodes)
 
 
 template <int dim>
+std::string
+text_of(const Point<dim> &point)
+{
+  std::string text;
+  for (unsigned int d = 0; d < dim; ++d)
+    text += (d == 0 ? "(" : ", ") + short_text(point[d]);
+  return text + ")";
+}
+
+
+
+template <int dim>
 double
 coordinate_tolerance(const ElementNodes<dim> &nodes)
 {
@@ -245,6 +258,10 @@ template double
 volume_of_element(const ElementNodes<2> &);
 template double
 volume_of_element(const ElementNodes<3> &);
+template std::string
+text_of(const Point<2> &);
+template std::string
+text_of(const Point<3> &);
 template double
 coordinate_tolerance(const ElementNodes<2> &);
 template double

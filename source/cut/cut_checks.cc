@@ -1,3 +1,4 @@
+#include <setsudan/body/geometry.h>
 #include <setsudan/cut/cut_checks.h>
 #include <setsudan/cut/mesh_surgery.h>
 #include <setsudan/parameters/lists.h>
@@ -8,20 +9,6 @@
 namespace Setsudan
 {
 using namespace dealii;
-
-namespace
-{
-template <int dim>
-std::string
-text_of(const Point<dim> &point)
-{
-  std::string text;
-  for (unsigned int d = 0; d < dim; ++d)
-    text += (d == 0 ? "(" : ", ") + short_text(point[d]);
-  return text + ")";
-}
-} // namespace
-
 
 template <int dim>
 void

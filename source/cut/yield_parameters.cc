@@ -39,14 +39,17 @@ YieldParameters::declare(ParameterHandler &handler)
     "compared with Shear limit x (1 - Sharpness). energy release is the "
     "energy that splitting the row would release for each new area, compared "
     "with Material/Toughness x (1 - Sharpness).");
-  Setsudan::declare(handler,
-                    "Yield",
-                    "Process zone",
-                    "0",
-                    Patterns::Double(),
-                    "Radius of the ball over which mean shear is averaged, "
-                    "with weights that fall to 0 at its surface; greater than "
-                    "0 with that criterion [length].");
+  Setsudan::declare(
+    handler,
+    "Yield",
+    "Process zone",
+    "0",
+    Patterns::Double(),
+    "Radius of the ball over which mean shear is averaged, "
+    "with weights that fall to 0 at its surface; greater than "
+    "0 with that criterion, and without meaning for others. The "
+    "force that a row needs grows with it (doc/criteria.md) "
+    "[length].");
   Setsudan::declare(handler,
                     "Yield",
                     "Check",
@@ -61,21 +64,20 @@ YieldParameters::declare(ParameterHandler &handler)
 
 YieldParameters::YieldParameters(const Parameters &parameters)
   : criterion(criteria.at(parameters.text("Yield", "Criterion")))
-  , process_zone(parameters.number("Yield", "Process zone"))
+  , process_zone(criterion == Criterion::mean_shear
+                   ? parameters.number("Yield", "Process zone")
+                   : 0)
   , check(parameters.text("Yield", "Check") == "once" ? Check::once
                                                       : Check::every_row)
 {
-  if (criterion == Criterion::mean_shear)
-    parameters.require(
-      process_zone > 0,
-      "Yield",
-      "Process zone",
-      "a length greater than 0, with the criterion mean shear");
-  else
-    parameters.require(process_zone == 0,
-                       "Yield",
-                       "Process zone",
-                       "0 with criteria other than mean shear");
+  parameters.require(criterion != Criterion::mean_shear || process_zone > 0,
+                     "Yield",
+                     "Process zone",
+                     "a length greater than 0, with the criterion mean shear");
+  parameters.require(parameters.number("Yield", "Process zone") >= 0,
+                     "Yield",
+                     "Process zone",
+                     "0 or a length");
 }
 
 

@@ -75,6 +75,15 @@ OutputParameters::declare(ParameterHandler &handler)
     "factorization.");
   Setsudan::declare(handler,
                     "Output",
+                    "Units",
+                    "none",
+                    Patterns::Selection("none|comment|row"),
+                    "Whether statistics.csv says the units of its columns: not "
+                    "at all (doc/results.md has them), in a line that begins "
+                    "with '# units:' before the names, or in a row behind the "
+                    "names.");
+  Setsudan::declare(handler,
+                    "Output",
                     "Checkpoint",
                     "auto",
                     Patterns::Selection("auto|every row|none"),
@@ -106,6 +115,10 @@ OutputParameters::OutputParameters(const Parameters &parameters)
   frames                 = name == "every row" ? Frames::every_row
                            : name == "stages"  ? Frames::stages
                                                : Frames::none;
+  const std::string said = parameters.text("Output", "Units");
+  units                  = said == "none"      ? Units::none
+                           : said == "comment" ? Units::comment
+                                               : Units::row;
   const std::string what = parameters.text("Output", "Time");
   time                   = what == "frame"   ? Time::frame
                            : what == "depth" ? Time::depth

@@ -113,18 +113,21 @@ describe_solve(const Scene<dim> &scene, const CutBody<dim> &body)
 
 
 
+template <int dim>
 std::string
-describe_arrest(const Event &event,
-                const unsigned int n_rows,
-                const std::string &quantity)
+describe_arrest(const Scene<dim> &scene,
+                const Event &event,
+                const unsigned int n_rows)
 {
   std::ostringstream line;
   line.precision(6);
   line << "Arrested at row " << event.row + 1 << " of " << n_rows << ": the "
-       << quantity << " reached " << event.cutting_stress << " and "
-       << event.required_stress << " is required, at load factor "
-       << event.load_factor << ".";
-  return line.str();
+       << scene.yield.quantity() << " reached " << event.cutting_stress
+       << " and " << event.required_stress << " is required, at load factor "
+       << event.load_factor;
+  if (scene.division.load_control == DivisionParameters::LoadControl::ramp)
+    line << ", the largest that Division/Maximum load factor allows";
+  return line.str() + ".";
 }
 
 
@@ -166,9 +169,13 @@ describe_cut(const CutBody<3> &, const unsigned int);
 template std::string
 describe_roughness(const Cut<2> &);
 template std::string
+describe_arrest(const Scene<2> &, const Event &, const unsigned int);
+template std::string
 describe_solve(const Scene<2> &, const CutBody<2> &);
 template std::string
 describe_roughness(const Cut<3> &);
+template std::string
+describe_arrest(const Scene<3> &, const Event &, const unsigned int);
 template std::string
 describe_solve(const Scene<3> &, const CutBody<3> &);
 template std::vector<std::string>

@@ -58,6 +58,7 @@ serialize(Archive &archive, Event &event, const unsigned int)
               event.max_shear,
               event.reaction,
               event.clamp_force,
+              event.overlap,
               event.row_pieces,
               has_errors,
               errors);
@@ -69,14 +70,25 @@ serialize(Archive &archive, Event &event, const unsigned int)
 
 template <typename Archive>
 void
+serialize(Archive &archive, Doubts &doubts, const unsigned int)
+{
+  archive_all(archive,
+              doubts.n_states,
+              doubts.strain,
+              doubts.jacobian,
+              doubts.overlap,
+              doubts.round_off);
+}
+
+template <typename Archive>
+void
 serialize(Archive &archive, Record &record, const unsigned int)
 {
   archive_all(archive,
               record.table,
               record.sequence,
-              record.warned_of_round_off,
-              record.warned_of_strain,
-              record.warned_of_jacobian,
+              record.doubts,
+              record.warned,
               record.earlier_depths,
               record.framed_at,
               record.cut_began,

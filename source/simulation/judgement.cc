@@ -64,12 +64,14 @@ judge_by_energy(const Scene<dim> &scene,
                 CutBody<dim> &body,
                 const unsigned int row,
                 const Response<dim> &base,
-                const Response<dim> *per_load)
+                const Response<dim> *per_load,
+                SolveQuality &quality)
 {
   const auto released = body.equilibrium_without(row);
   const auto release  = [&](const Response<dim> &response) -> Release<dim> {
     LA::Vector d = released->solve(
       response.forces, response.prescribed, response.displacement);
+    quality = combine(quality, released->quality_of_last());
     d -= response.displacement;
     return {d, body.internal_forces(d)};
   };
@@ -102,11 +104,12 @@ judge_row(const Scene<dim> &scene,
           CutBody<dim> &body,
           const unsigned int row,
           const Response<dim> &base,
-          const Response<dim> *per_load)
+          const Response<dim> *per_load,
+          SolveQuality &quality)
 {
   using Criterion = YieldParameters::Criterion;
   return scene.yield.criterion == Criterion::energy_release
-           ? judge_by_energy(scene, body, row, base, per_load)
+           ? judge_by_energy(scene, body, row, base, per_load, quality)
            : judge_by_stress(scene, body, row, base, per_load);
 }
 
@@ -134,11 +137,13 @@ judge_row(const Scene<2> &,
           CutBody<2> &,
           const unsigned int,
           const Response<2> &,
-          const Response<2> *);
+          const Response<2> *,
+          SolveQuality &);
 template std::function<CuttingStress(double)>
 judge_row(const Scene<3> &,
           CutBody<3> &,
           const unsigned int,
           const Response<3> &,
-          const Response<3> *);
+          const Response<3> *,
+          SolveQuality &);
 } // namespace Setsudan

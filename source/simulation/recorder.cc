@@ -51,6 +51,7 @@ Recorder<dim>::Recorder(const Scene<dim> &scene,
   , scene(scene)
   , is_first_process(Utilities::MPI::this_mpi_process(communicator) == 0)
   , frames(directory)
+  , statistics(scene.output.units, scene.length_unit, scene.force_unit)
 {
 }
 
@@ -103,9 +104,8 @@ Recorder<dim>::save()
   finish();
   return {statistics.table,
           frames.sequence,
-          warned_of_round_off,
-          warned_of_strain,
-          warned_of_jacobian,
+          doubts,
+          warned,
           earlier_depths,
           framed_at,
           cut_began,
@@ -118,14 +118,13 @@ template <int dim>
 void
 Recorder<dim>::restore(const Record &record)
 {
-  statistics.table    = record.table;
-  frames.sequence     = record.sequence;
-  warned_of_round_off = record.warned_of_round_off;
-  warned_of_strain    = record.warned_of_strain;
-  warned_of_jacobian  = record.warned_of_jacobian;
-  earlier_depths      = record.earlier_depths;
-  framed_at           = record.framed_at;
-  cut_began           = record.cut_began;
+  statistics.table = record.table;
+  frames.sequence  = record.sequence;
+  doubts           = record.doubts;
+  warned           = record.warned;
+  earlier_depths   = record.earlier_depths;
+  framed_at        = record.framed_at;
+  cut_began        = record.cut_began;
   progress.continue_from(record.seconds);
 }
 
@@ -273,74 +272,6 @@ Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
                              short_text(volume) + " and the body's is " +
                              short_text(volume_of_body) +
                              ": material was lost or made by the surgery.");
-}
-
-
-
-template <int dim>
-void
-Recorder<dim>::warn_of_range(const Event &event)
-{
-  if (event.max_strain > scene.material.linear_range && !warned_of_strain)
-    {
-      warned_of_strain = true;
-      std::ostringstream message;
-      message.precision(3);
-      message << "in frame " << event.frame << " a principal strain of "
-              << event.max_strain << " exceeds Material/Linear range = "
-              << scene.material.linear_range
-              << ": the linear theory has left its range, and the deformation "
-                 "is not to be taken for real.";
-      progress.warn(message.str());
-    }
-  if (event.min_jacobian <= 0 && !warned_of_jacobian)
-    {
-      warned_of_jacobian = true;
-      std::ostringstream message;
-      message.precision(3);
-      message << "in frame " << event.frame
-              << " the deformed body overlaps itself (the determinant of the "
-                 "deformation gradient falls to "
-              << event.min_jacobian
-              << "): the load is too large for a linear body, or too "
-                 "concentrated for its elements.";
-      progress.warn(message.str());
-    }
-}
-
-
-
-template <int dim>
-void
-Recorder<dim>::warn_of_solve(const State<dim> &state)
-{
-  const auto &quality = state.quality;
-  if (!quality.remark.empty())
-    progress.warn(quality.remark);
-  if ((quality.residual <= 1e-8 && quality.uncertainty <= 1e-5) ||
-      warned_of_round_off)
-    return;
-  warned_of_round_off = true;
-  std::ostringstream message;
-  message.precision(2);
-  message << "digits are lost: the equations are solved up to "
-          << quality.residual
-          << " of the loads, and displacements are uncertain by about "
-          << quality.uncertainty
-          << " of the largest, because the body is very slender or its "
-             "stiffness very uneven (a Poisson's ratio near 1/2, flat "
-             "elements, or materials far apart).";
-  progress.warn(message.str());
-}
-
-
-
-template <int dim>
-void
-Recorder<dim>::warn_anew()
-{
-  warned_of_strain   = false;
-  warned_of_jacobian = false;
 }
 
 

@@ -13,7 +13,7 @@ namespace
 {
 /** The scene in words, wherever its results go. */
 std::string
-text_of(const Parameters &parameters, const std::string &directory)
+scene_text(const Parameters &parameters, const std::string &directory)
 {
   return text_in(directory,
                  parameters.with({{"Output", "Directory", directory, ""}}));
@@ -44,7 +44,7 @@ check_scene(const Scene<dim> &scene,
   const Parameters earlier(
     file_name, read_scene_file(file_name), Scene<dim>::declare);
   const std::string difference = first_difference(
-    text_of(earlier, directory), text_of(parameters, directory));
+    scene_text(earlier, directory), scene_text(parameters, directory));
   if (!difference.empty())
     throw SceneError("The run in '" + directory +
                      "' is of another scene and cannot be resumed with this "

@@ -51,13 +51,14 @@ solve_ramp(const Scene<dim> &scene,
   const LA::Vector held  = prescribed_displacement(body, state);
   const Response<dim> base{
     equilibrium->solve(state.forces, held, held), state.forces, held};
+  state.quality = equilibrium->quality_of_last();
   const Response<dim> per_load{
     equilibrium->solve(blade.nodal_forces, zero, zero),
     blade.nodal_forces,
     zero};
-  state.quality = equilibrium->quality_of_last();
+  state.quality = combine(state.quality, equilibrium->quality_of_last());
   const YieldLoad load =
-    find_yield_load(judge_row(scene, body, row, base, &per_load),
+    find_yield_load(judge_row(scene, body, row, base, &per_load, state.quality),
                     scene.division.max_load_factor);
 
   state.load_factor = load.load_factor;
@@ -81,7 +82,8 @@ judge(const Scene<dim> &scene,
 {
   const Response<dim> response{
     state.displacement, state.forces, prescribed_displacement(body, state)};
-  state.stress = judge_row<dim>(scene, body, row, response, nullptr)(0);
+  state.stress =
+    judge_row<dim>(scene, body, row, response, nullptr, state.quality)(0);
   state.yields = state.stress.yields();
 }
 

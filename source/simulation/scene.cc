@@ -1,3 +1,4 @@
+#include <setsudan/body/geometry.h>
 #include <setsudan/elasticity/rigid_modes.h>
 #include <setsudan/simulation/scene.h>
 
@@ -119,15 +120,11 @@ check_supports(const Parameters &parameters,
     "rigidly in " +
       std::to_string(hold.size()) + (hold.size() == 1 ? " way" : " ways"));
   if (const auto node = supports.find_contradiction())
-    {
-      std::ostringstream text;
-      text << *node;
-      parameters.reject("Support",
-                        "Displacements",
-                        "displacements that agree with the other supports; at "
-                        "the node at " +
-                          text.str() + " they do not");
-    }
+    parameters.reject("Support",
+                      "Displacements",
+                      "displacements that agree with the other supports; at "
+                      "the node at " +
+                        text_of(*node) + " they do not");
 }
 
 

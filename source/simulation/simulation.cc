@@ -72,8 +72,10 @@ Simulation<dim>::run()
   std::ostringstream line;
   line << "Results in " << scene.output.directory << ": " << n_frames
        << " states, " << body.n_pieces()
-       << (body.n_pieces() == 1 ? " piece." : " pieces.");
-  recorder.progress.say(line.str());
+       << (body.n_pieces() == 1 ? " piece" : " pieces");
+  const std::string doubts = recorder.describe_doubts();
+  recorder.progress.say(line.str() +
+                        (doubts.empty() ? "." : "; " + doubts + "."));
 }
 
 
@@ -308,7 +310,7 @@ Simulation<dim>::arrest()
 {
   recorder.record("arrest", event);
   recorder.progress.say(
-    describe_arrest(event, body.seam().rows().size(), scene.yield.quantity()));
+    describe_arrest(scene, event, body.seam().rows().size()));
 }
 
 
@@ -401,8 +403,8 @@ template <int dim>
 void
 Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
 {
-  event.frame = n_frames++;
-  describe_state(scene, body, blade, new_state, event);
+  event.frame        = n_frames++;
+  const auto overlap = describe_state(scene, body, blade, new_state, event);
   if (scene.accuracy.estimate)
     {
       const StateError error =
@@ -417,8 +419,7 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
   if (state.is_whole && !new_state.is_whole)
     last_whole = std::move(state);
   state = std::move(new_state);
-  recorder.warn_of_range(event);
-  recorder.warn_of_solve(state);
+  recorder.doubt(event, state, overlap);
 }
 
 

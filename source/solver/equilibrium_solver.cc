@@ -7,6 +7,19 @@
 
 namespace Setsudan
 {
+
+SolveQuality
+combine(const SolveQuality &a, const SolveQuality &b)
+{
+  return {std::max(a.residual, b.residual),
+          std::max(a.uncertainty, b.uncertainty),
+          a.remark.empty() || b.remark.empty() || a.remark == b.remark
+            ? (a.remark.empty() ? b.remark : a.remark)
+            : a.remark + " " + b.remark};
+}
+
+
+
 bool
 is_accepted(const double residual,
             const double loads,

@@ -20,8 +20,9 @@ SchurComplement::square(const std::vector<unsigned int> &members,
   auto &s     = block.values;
   // From behind, L is an upper triangle.
   std::reverse(s.begin(), s.end());
-  int info = 0;
-  dlauum_("U", &m, s.data(), &m, &info);
+  // A part that does not meet the cut has no unknowns here.
+  if (int info = 0; m > 0)
+    dlauum_("U", &m, s.data(), &m, &info);
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < i; ++j)
       s[std::size_t(j) * m + i] = s[std::size_t(i) * m + j];

@@ -224,7 +224,7 @@ WRONG_VALUES = {
         ("Division/Row tolerance", "0.5", "from 0 to less than 0.5"),
         ("Yield/Criterion", "courage", "maximum shear"),
         ("Yield/Check", "never", "every row"),
-        ("Yield/Process zone", "1", "0 with criteria other than mean shear"),
+        ("Yield/Process zone", "-1", "0 or a length"),
         ("Yield/Process zone", "0", "greater than 0", MEAN_SHEAR),
         ("Yield/Process zone", "-1", "greater than 0", MEAN_SHEAR),
         ("Division/Split rows", "glued", "opened"),

@@ -5,6 +5,7 @@
 
 #include <setsudan/body/coarse_mesh.h>
 
+#include <string>
 namespace Setsudan
 {
 // The isoparametric geometry of elements: the serendipity functions interpolate
@@ -43,6 +44,11 @@ area_element_of_face(const ElementNodes<dim> &nodes,
 template <int dim>
 dealii::Tensor<1, dim>
 area_vector_of_face(const ElementNodes<dim> &nodes, const unsigned int face);
+
+/** A point as messages name it: (1, 0.5, 2). */
+template <int dim>
+std::string
+text_of(const dealii::Point<dim> &point);
 
 /** How far a coordinate of a point of an element may lie beside a number that a
  * scene gives and still be meant by it: a millionth of the element's shortest

@@ -30,6 +30,16 @@ struct OutputParameters
   };
 
   Time time;
+
+  /** How statistics.csv says the units of its columns. */
+  enum class Units
+  {
+    none,
+    comment,
+    row
+  };
+
+  Units units;
   bool node_tables;
   bool calculix_decks;
   /** Whether rows of which nothing else is written have only what the front

@@ -27,7 +27,8 @@ struct SceneEntry
 /**
  * Read a scene file in deal.II's parameter syntax: `subsection`, `set`, `end`,
  * comments after a '#' at the beginning of a line or behind a blank, lines
- * continued by a final '\', and `include FILE` (relative to the including file).
+ * continued by a final '\', and `include FILE` (relative to the including
+ * file).
  *
  * dealii::ParameterHandler reads the same syntax but forgets the lines, which
  * every message of a later check needs; so the lines are read here and handed

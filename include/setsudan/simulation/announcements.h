@@ -30,10 +30,13 @@ template <int dim>
 std::string
 describe_solve(const Scene<dim> &scene, const CutBody<dim> &body);
 
+/** Where the cut stands still, what was reached, and what would let it go on.
+ */
+template <int dim>
 std::string
-describe_arrest(const Event &event,
-                const unsigned int n_rows,
-                const std::string &quantity);
+describe_arrest(const Scene<dim> &scene,
+                const Event &event,
+                const unsigned int n_rows);
 
 /** The pieces that have lost their support, besides those `known` before. */
 template <int dim>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <setsudan/output/statistics.h>
+#include <setsudan/cut/wall_overlap.h>
+#include <setsudan/output/event.h>
 #include <setsudan/simulation/state.h>
 
 namespace Setsudan
@@ -8,10 +9,16 @@ namespace Setsudan
 /**
  * Fill the columns of a state: energies, residuals, extremes.
  *
+ * Forces balance relative to their sizes; or, where they are nothing but
+ * round-off since nothing strains the body, to the forces with which it would
+ * resist what supports and openings prescribe if the rest of it stayed at rest:
+ * those are what its equations were solved for.
+ *
+ * @return the overlap of the cuts' walls.
  * @throw SolverError where forces or moments are not in balance.
  */
 template <int dim>
-void
+WallOverlap<dim>
 describe_state(const Scene<dim> &scene,
                const CutBody<dim> &body,
                const BladeLoad<dim> &blade,

@@ -24,6 +24,7 @@ struct Response
  * solved without the row's ties for that; its seam must have been made.
  *
  * @param per_load nothing, if only the factor 0 will be asked for.
+ * @param quality  of the state, to which that of further solves is added.
  */
 template <int dim>
 std::function<CuttingStress(double)>
@@ -31,7 +32,8 @@ judge_row(const Scene<dim> &scene,
           CutBody<dim> &body,
           const unsigned int row,
           const Response<dim> &base,
-          const Response<dim> *per_load);
+          const Response<dim> *per_load,
+          SolveQuality &quality);
 
 /** The least that a row of the body may require. */
 template <int dim>

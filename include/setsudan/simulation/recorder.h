@@ -1,5 +1,6 @@
 #pragma once
 
+#include <setsudan/cut/wall_overlap.h>
 #include <setsudan/output/frames.h>
 #include <setsudan/output/output_directory.h>
 #include <setsudan/output/progress.h>
@@ -13,6 +14,20 @@
 
 namespace Setsudan
 {
+/** How many states are not to be trusted, in all and for each reason. */
+struct Doubts
+{
+  unsigned int n_states = 0;
+  /** A strain beyond Material/Linear range. */
+  unsigned int strain = 0;
+  /** Elements turned inside out. */
+  unsigned int jacobian = 0;
+  /** Walls of cuts that have moved through each other. */
+  unsigned int overlap = 0;
+  /** Digits that the solver has lost. */
+  unsigned int round_off = 0;
+};
+
 /** What a record has come to, apart from the files of its frames. */
 struct Record
 {
@@ -20,9 +35,9 @@ struct Record
   std::string table;
   /** What cut.pvd lists. */
   std::vector<std::pair<double, std::string>> sequence;
-  bool warned_of_round_off = false;
-  bool warned_of_strain    = false;
-  bool warned_of_jacobian  = false;
+  Doubts doubts;
+  /** Those up to which the user has been warned in the present cut. */
+  Doubts warned;
   /** How far the blade has gone in the cuts before the present one. */
   double earlier_depths = 0;
   /** Cut and depth of the newest frame. */
@@ -87,15 +102,18 @@ public:
   void
   write_pieces(const CutBody<dim> &body, const State<dim> &state);
 
-  /** Warn where a linear solution has left its range: once each, until
-   * warn_anew() is called. */
+  /** Count a state that is not to be trusted, and warn of each reason at its
+   * first, until warn_anew() is called; of digits that the solver has lost once
+   * in a run. What a solve has to say is said. */
   void
-  warn_of_range(const Event &event);
+  doubt(const Event &event,
+        const State<dim> &state,
+        const WallOverlap<dim> &overlap);
 
-  /** Warn of what a solve has to say, and, once, of digits that it has lost. */
-  void
-  warn_of_solve(const State<dim> &state);
-
+  /** How many states are not to be trusted and why, in words that follow the
+   * number of states; nothing where all are. */
+  std::string
+  describe_doubts() const;
   void
   warn_anew();
 
@@ -124,10 +142,8 @@ private:
   const bool is_first_process;
   FrameWriter frames;
   Statistics statistics;
-  bool warned_of_round_off = false;
-  bool warned_of_strain    = false;
-  bool warned_of_jacobian  = false;
-  double earlier_depths    = 0;
+  Doubts doubts, warned;
+  double earlier_depths = 0;
   std::pair<unsigned int, double> framed_at{0, 0.};
   double cut_began = 0;
 };

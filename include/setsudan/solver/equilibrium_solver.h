@@ -20,6 +20,10 @@ struct SolveQuality
   std::string remark;
 };
 
+/** What holds of two solves together: the worse of each, and all remarks. */
+SolveQuality
+combine(const SolveQuality &a, const SolveQuality &b);
+
 /** A solve is mended where its relative residual exceeds the first, and has
  * failed where it exceeds the second. */
 inline constexpr double refined_above = 1e-13;

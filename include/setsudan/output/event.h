@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** One event of a run, a line of statistics.csv; stresses, forces and lengths
+ * in the scene's units. */
+struct Event
+{
+  /** The solved state that the line describes, counted from 0. */
+  unsigned int frame = 0;
+  /** rest, deform, yield, release, arrest or divide. */
+  std::string name = "rest";
+  unsigned int cut = 0;
+  unsigned int row = 0;
+  /** Rows of this cut that are split. */
+  unsigned int released_rows = 0;
+  /** The front row's coordinate along the blade's direction from the entry. */
+  double depth            = 0;
+  double load_factor      = 0;
+  double blade_force      = 0;
+  double cutting_stress   = 0;
+  double required_stress  = 0;
+  double strain_energy    = 0;
+  double potential_energy = 0;
+  double max_displacement = 0;
+  double force_residual   = 0;
+  double moment_residual  = 0;
+  double min_jacobian     = 1;
+  unsigned int pieces     = 1;
+  double seconds          = 0;
+  /** Largest principal strain and maximum shear at Gauss points: unlike the
+   * stress at nodes they are not taken where it is singular. */
+  double max_strain = 0;
+  double max_shear  = 0;
+  /** What the supports that hold still give back to the body. */
+  std::array<double, 3> reaction{};
+  /** The force of the clamps that move. */
+  std::array<double, 3> clamp_force{};
+  /** Estimated relative errors of the strain energy and of the cutting stress,
+   * where they are asked for: in all events of a run, or in none. */
+  std::optional<std::array<double, 2>> errors;
+  /** How far the walls of cuts have moved through each other. */
+  double overlap = 0;
+  /** The pieces in which the row's front lies, as they were before this cut. */
+  std::vector<unsigned int> row_pieces = {0};
+  /** Whether there is more than the depth, the load factor, the stresses and
+   * the forces of the blade; the columns of the rest are empty where not. */
+  bool is_whole = true;
+};
+} // namespace Setsudan

@@ -1,0 +1,157 @@
+#include <setsudan/body/geometry.h>
+#include <setsudan/simulation/recorder.h>
+
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+std::string
+warn_of_strain(const Event &event, const double linear_range)
+{
+  std::ostringstream message;
+  message.precision(3);
+  message << "in frame " << event.frame << " a principal strain of "
+          << event.max_strain
+          << " exceeds Material/Linear range = " << linear_range
+          << ": the linear theory has left its range, and the deformation is "
+             "not to be taken for real.";
+  return message.str();
+}
+
+std::string
+warn_of_jacobian(const Event &event)
+{
+  std::ostringstream message;
+  message.precision(3);
+  message << "in frame " << event.frame
+          << " the deformed body overlaps itself (the determinant of the "
+             "deformation gradient falls to "
+          << event.min_jacobian
+          << "): the load is too large for a linear body, or too concentrated "
+             "for its elements.";
+  return message.str();
+}
+
+template <int dim>
+std::string
+warn_of_overlap(const Event &event,
+                const WallOverlap<dim> &overlap,
+                const std::string &length_unit)
+{
+  std::ostringstream message;
+  message.precision(3);
+  message
+    << "in frame " << event.frame << " the walls of cut " << overlap.cut
+    << " overlap: they have moved through each other by " << overlap.depth
+    << " " << length_unit << " at " << text_of(overlap.position)
+    << ", since there is no contact between them. Forces that walls would "
+       "take from each other are missing from here on.";
+  return message.str();
+}
+
+std::string
+warn_of_round_off(const SolveQuality &quality)
+{
+  std::ostringstream message;
+  message.precision(2);
+  message << "digits are lost: the equations are solved up to "
+          << quality.residual
+          << " of the loads, and displacements are uncertain by about "
+          << quality.uncertainty
+          << " of the largest, because the body is very slender or its "
+             "stiffness very uneven (a Poisson's ratio near 1/2, flat "
+             "elements, or materials far apart).";
+  return message.str();
+}
+} // namespace
+
+
+
+template <int dim>
+void
+Recorder<dim>::doubt(const Event &event,
+                     const State<dim> &state,
+                     const WallOverlap<dim> &overlap)
+{
+  if (!state.quality.remark.empty())
+    progress.warn(state.quality.remark);
+  bool is_doubtful     = false;
+  const auto doubt_for = [&](unsigned int Doubts::*const reason,
+                             const bool holds,
+                             const auto &message) {
+    if (!holds)
+      return;
+    is_doubtful = true;
+    ++(doubts.*reason);
+    if (warned.*reason == 0)
+      progress.warn(message());
+    ++(warned.*reason);
+  };
+  doubt_for(&Doubts::strain,
+            event.max_strain > scene.material.linear_range,
+            [&] { return warn_of_strain(event, scene.material.linear_range); });
+  doubt_for(&Doubts::jacobian, event.min_jacobian <= 0, [&] {
+    return warn_of_jacobian(event);
+  });
+  // Less is round-off, or nothing that a picture shows.
+  doubt_for(&Doubts::overlap,
+            overlap.depth > 1e-6 * scene.body.mesh.extent(),
+            [&] { return warn_of_overlap(event, overlap, scene.length_unit); });
+  doubt_for(&Doubts::round_off,
+            state.quality.residual > 1e-8 || state.quality.uncertainty > 1e-5,
+            [&] { return warn_of_round_off(state.quality); });
+  doubts.n_states += is_doubtful;
+}
+
+
+
+template <int dim>
+void
+Recorder<dim>::warn_anew()
+{
+  const unsigned int round_off = warned.round_off;
+  warned                       = {};
+  warned.round_off             = round_off;
+}
+
+
+
+template <int dim>
+std::string
+Recorder<dim>::describe_doubts() const
+{
+  if (doubts.n_states == 0)
+    return "";
+  std::string reasons;
+  const auto add = [&](const unsigned int n, const std::string &why) {
+    if (n > 0)
+      reasons +=
+        (reasons.empty() ? "" : ", ") + why + " in " + std::to_string(n);
+  };
+  add(doubts.strain, "strain beyond Material/Linear range");
+  add(doubts.jacobian, "elements inside out");
+  add(doubts.overlap, "walls of a cut through each other");
+  add(doubts.round_off, "digits lost by the solver");
+  return std::to_string(doubts.n_states) +
+         " of them not to be trusted: " + reasons;
+}
+
+
+
+template void
+Recorder<2>::doubt(const Event &, const State<2> &, const WallOverlap<2> &);
+template void
+Recorder<2>::warn_anew();
+template std::string
+Recorder<2>::describe_doubts() const;
+template void
+Recorder<3>::doubt(const Event &, const State<3> &, const WallOverlap<3> &);
+template void
+Recorder<3>::warn_anew();
+template std::string
+Recorder<3>::describe_doubts() const;
+} // namespace Setsudan
