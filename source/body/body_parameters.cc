@@ -101,6 +101,39 @@ BodyParameters<dim>::BodyParameters(const Parameters &parameters)
                      "Body",
                      "Elements",
                      "fewer than 500 million elements in all");
+  // Before it is made.
+  if (shape == Shape::box)
+    check_refined(parameters, size_of_box<dim>(n_elements));
+}
+
+
+
+template <int dim>
+MeshSize<dim>
+BodyParameters<dim>::refined(MeshSize<dim> mesh) const
+{
+  for (unsigned int level = 0; level < refinement; ++level)
+    mesh = mesh.refined();
+  return mesh;
+}
+
+
+
+template <int dim>
+void
+BodyParameters<dim>::check_refined(const Parameters &parameters,
+                                   const MeshSize<dim> &mesh) const
+{
+  const MeshSize<dim> finest = refined(mesh);
+  const double n_unknowns    = finest.n_unknowns(element_type);
+  check_memory(parameters,
+               "Body",
+               refinement > 0         ? "Refinement"
+               : shape == Shape::file ? "File"
+                                      : "Elements",
+               finest.n_cells(),
+               n_unknowns,
+               memory_of_model<dim>(n_unknowns, false));
 }
 
 
@@ -125,6 +158,8 @@ make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
       }
   };
   Body<dim> body = make();
+  if (!body.box)
+    choice.check_refined(parameters, size_of_mesh(body.mesh));
   choice.transformation.apply(body);
   body.has_middle_nodes =
     choice.element_type != ElementType::linear || choice.refinement > 0;

@@ -2,6 +2,7 @@
 
 #include <setsudan/output/output_directory.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -26,7 +27,8 @@ OutputParameters::declare(ParameterHandler &handler)
                     "results/cut",
                     Patterns::Anything(),
                     "Where the results go, relative to where the program is "
-                    "started. Those of an earlier run there are replaced.");
+                    "started. Those of an earlier run there are replaced, "
+                    "if its parameters.prm says that this program wrote it.");
   Setsudan::declare(handler,
                     "Output",
                     "Frames",
@@ -137,49 +139,110 @@ namespace
 {
 const std::string temporary_prefix = ".writing-";
 
-/** Remove files whose names match; the first pattern before the second, so that
- * a removal that is interrupted leaves no directory that looks complete. */
-void
-remove_files(const fs::path &path, const std::vector<std::regex> &patterns)
+const std::string parameters_name = "parameters.prm";
+
+/** As long as there is no parameters.prm, the file that it will become tells
+ * that the directory is a run's. */
+const std::string mark = temporary_prefix + parameters_name;
+
+/** The files in a directory whose names match, sorted. */
+std::vector<fs::path>
+find_files(const fs::path &path, const std::regex &pattern)
 {
-  for (const auto &pattern : patterns)
-    {
-      std::vector<fs::path> matching;
-      for (const auto &entry : fs::directory_iterator(path))
-        if (entry.is_regular_file() &&
-            std::regex_match(entry.path().filename().string(), pattern))
-          matching.push_back(entry.path());
-      for (const auto &file : matching)
-        fs::remove(file);
-    }
+  std::vector<fs::path> matching;
+  for (const auto &entry : fs::directory_iterator(path))
+    if (entry.is_regular_file() &&
+        std::regex_match(entry.path().filename().string(), pattern))
+      matching.push_back(entry.path());
+  std::sort(matching.begin(), matching.end());
+  return matching;
+}
+
+/** The files of a run. */
+std::vector<fs::path>
+find_results(const fs::path &path)
+{
+  return find_files(
+    path,
+    std::regex(
+      R"(parameters\.prm|checkpoint|cut\.pvd|statistics\.csv|nodes_\d+\.csv|)"
+      R"(stage_\d+\.(inp|csv)|frame_\d+(\.\d+)?\.p?vtu|piece_\d+\.(msh|vtu)|)"
+      R"(pieces\.csv|validation\.vtu)"));
+}
+
+bool
+is_signed(const fs::path &file)
+{
+  std::ifstream stream(file);
+  std::string line;
+  return std::getline(stream, line) &&
+         line.compare(0,
+                      OutputDirectory::signature.size(),
+                      OutputDirectory::signature) == 0;
+}
+
+/** Why files must not be removed; nothing where they may be. */
+std::string
+why_kept(const fs::path &path,
+         const std::vector<fs::path> &results,
+         const std::vector<std::string> &inputs)
+{
+  for (const auto &result : results)
+    for (const auto &input : inputs)
+      if (std::error_code error; fs::equivalent(result, input, error))
+        return "the run reads '" + input +
+               "' in it, which its own results would replace";
+  if (!results.empty() && !is_signed(path / parameters_name) &&
+      !is_signed(path / mark))
+    return "it holds '" + results.front().filename().string() + "'" +
+           (results.size() > 1
+              ? " and " + std::to_string(results.size() - 1) + " more files"
+              : "") +
+           " of names that a run writes, but no parameters.prm which says that "
+           "they are an earlier run's, to be replaced";
+  return "";
+}
+
+/** Remove the files of an earlier run, such that a removal that is interrupted
+ * leaves no directory that looks complete, or like somebody else's. */
+void
+remove_results(const fs::path &path, const std::vector<fs::path> &results)
+{
+  std::ofstream(path / mark) << OutputDirectory::signature << '\n';
+  fs::remove(path / parameters_name);
+  for (const auto &file : results)
+    fs::remove(file);
 }
 
 /** Make `path` a directory one can write to, without the files of an earlier
  * run; the answer is what stands in the way. */
 std::string
-prepare_directory(const fs::path &path, const OutputDirectory::Earlier earlier)
+prepare_directory(const fs::path &path,
+                  const OutputDirectory::Earlier earlier,
+                  const std::vector<std::string> &inputs)
 {
-  const std::regex temporary(R"(\.writing-.*)");
-  // Without parameters.prm the rest is no run that could be resumed.
-  const std::regex parameters(R"(parameters\.prm)");
-  const std::regex results(
-    R"(checkpoint|cut\.pvd|statistics\.csv|nodes_\d+\.csv|stage_\d+\.(inp|csv)|)"
-    R"(frame_\d+(\.\d+)?\.p?vtu|piece_\d+\.(msh|vtu))");
   try
     {
       fs::create_directories(path);
       const fs::path probe = path / (temporary_prefix + "probe");
       errno                = 0;
       if (!(std::ofstream(probe) << "probe" << std::flush))
-        return std::strerror(errno);
+        return std::string("it cannot be written: ") + std::strerror(errno);
       fs::remove(probe);
-      remove_files(path, {temporary});
-      if (earlier == OutputDirectory::Earlier::removed)
-        remove_files(path, {parameters, results});
+      const auto results = find_results(path);
+      const bool removes = earlier == OutputDirectory::Earlier::removed;
+      const auto problem = removes ? why_kept(path, results, inputs) : "";
+      if (!problem.empty())
+        return problem;
+      if (removes)
+        remove_results(path, results);
+      for (const auto &file : find_files(path, std::regex(R"(\.writing-.*)")))
+        if (file.filename() != mark || fs::exists(path / parameters_name))
+          fs::remove(file);
     }
   catch (const fs::filesystem_error &error)
     {
-      return error.code().message();
+      return "it cannot be written: " + error.code().message();
     }
   return "";
 }
@@ -220,18 +283,23 @@ synchronize(const std::string &name)
 } // namespace
 
 
+const std::string OutputDirectory::signature = "# Written by setsudan";
+
+
+
 OutputDirectory::OutputDirectory(const std::string &path,
                                  const MPI_Comm communicator,
-                                 const Earlier earlier)
+                                 const Earlier earlier,
+                                 const std::vector<std::string> &inputs)
   : path(path)
 {
   std::string problem;
   if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    problem = prepare_directory(path, earlier);
+    problem = prepare_directory(path, earlier, inputs);
   problem = Utilities::MPI::broadcast(communicator, problem);
   if (!problem.empty())
     throw SceneError("the output directory '" + path +
-                     "' cannot be written: " + problem +
+                     "' cannot be used: " + problem +
                      "; choose another with Output/Directory or --output");
 }
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
-
 namespace Setsudan
 {
 using namespace dealii;
@@ -192,6 +192,17 @@ Parameters::is_given(const std::string &subsection,
                      const std::string &name) const
 {
   return locations.count({subsection, name}) > 0;
+}
+
+
+
+std::vector<std::string>
+Parameters::files() const
+{
+  std::set<std::string> names{scene_name};
+  for (const auto &entry : given)
+    names.insert(entry.location.substr(0, entry.location.rfind(':')));
+  return {names.begin(), names.end()};
 }
 
 

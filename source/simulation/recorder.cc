@@ -26,13 +26,16 @@ open_directory(const Parameters &parameters,
 {
   try
     {
-      return OutputDirectory(path, communicator, earlier);
+      auto inputs = parameters.files();
+      if (!parameters.text("Body", "File").empty())
+        inputs.push_back(parameters.path("Body", "File"));
+      return OutputDirectory(path, communicator, earlier, inputs);
     }
   catch (const SceneError &error)
     {
       parameters.reject("Output",
                         "Directory",
-                        std::string("a directory that can be written: ") +
+                        std::string("a directory for this run's files: ") +
                           error.what());
     }
 }

@@ -31,6 +31,8 @@ std::string
 text_in(const std::string &directory, const Parameters &parameters)
 {
   std::ostringstream text;
+  text << OutputDirectory::signature << " " SETSUDAN_VERSION
+       << ": the parameters of the run in this directory.\n";
   if (parameters.text("Body", "File").empty())
     parameters.print(text);
   else
@@ -159,6 +161,9 @@ Scene<dim>::Scene(const Parameters &parameters)
   , output(parameters)
 {
   check_supports(parameters, body, supports);
+  // The path of the body's file changes with the directory: it may be none that
+  // parameters.prm can hold.
+  text_in(output.directory, parameters);
   parameters.require(output.time != OutputParameters::Time::depth ||
                        cut.cuts.size() <= 1,
                      "Output",

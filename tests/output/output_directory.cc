@@ -68,9 +68,43 @@ test_replacement()
                                   "deeper/cut.pvd",
                                   "frame_0002.vtu/file"})
     make_file("replaced/" + std::string(name));
-  const OutputDirectory directory("replaced", MPI_COMM_WORLD);
+  // Files of these names may be somebody's, as long as nothing says that they
+  // are an earlier run's.
+  print_refusal([] { OutputDirectory("replaced", MPI_COMM_WORLD); });
+  std::ofstream("replaced/parameters.prm") << OutputDirectory::signature;
+  print_refusal([] {
+    OutputDirectory("replaced",
+                    MPI_COMM_WORLD,
+                    OutputDirectory::Earlier::removed,
+                    {"missing", "replaced/deeper/../piece_0.msh"});
+  });
+  const OutputDirectory directory("replaced",
+                                  MPI_COMM_WORLD,
+                                  OutputDirectory::Earlier::removed,
+                                  {"replaced/notes.txt"});
   print_files("replaced");
   check("deeper files stay", fs::exists("replaced/deeper/cut.pvd"));
+}
+
+
+/** A run that was stopped before it wrote its parameters, or while the files of
+ * an earlier one were removed, is replaced too. */
+void
+test_mark()
+{
+  fs::remove_all("begun");
+  {
+    const OutputDirectory directory("begun", MPI_COMM_WORLD);
+    directory.write("cut.pvd", [](std::ostream &out) { out << "first"; });
+  }
+  print_files("begun");
+  const OutputDirectory kept(
+    "begun", MPI_COMM_WORLD, OutputDirectory::Earlier::kept);
+  print_files("begun");
+  const OutputDirectory directory("begun", MPI_COMM_WORLD);
+  directory.write("parameters.prm",
+                  [](std::ostream &out) { out << OutputDirectory::signature; });
+  print_files("begun");
 }
 
 
@@ -133,6 +167,7 @@ main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
     test_replacement();
+    test_mark();
     test_kept();
     test_new_directory();
     test_name();

@@ -108,6 +108,16 @@ def output():
             "--output", directory, pieces=[f"'{directory}'", *unwritable]
         )
     yield wrong_option("--output", "", pieces=["--output: ", "'Directory' is ''"])
+    # Somebody's files, and those that the run reads, are not replaced.
+    for name in ("statistics.csv", "parameters.prm", "piece_3.msh"):
+        yield wrong_option("--output", ".", files={name: "mine"},
+                           pieces=[f"it holds '{name}' of names that a run writes"])
+    signed = {"run/parameters.prm": "# Written by setsudan\n" + GOOD_TEXT}
+    yield wrong_option("--output", "run", "--set", "Output/Frames=none",
+                       pieces=["the run reads 'run/parameters.prm' in it"],
+                       files=signed)._replace(
+        name="a scene in its own output", arguments=["run/parameters.prm", "--output",
+                                                     "run"])
 
 
 def support():

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <setsudan/body/body.h>
+#include <setsudan/body/mesh_size.h>
 #include <setsudan/body/transformation.h>
 #include <setsudan/element/element_type.h>
 #include <setsudan/parameters/parameters.h>
@@ -32,6 +33,15 @@ struct BodyParameters
   declare(dealii::ParameterHandler &handler);
 
   explicit BodyParameters(const Parameters &parameters);
+
+  /** The size of a mesh when it is refined so. */
+  MeshSize<dim>
+  refined(MeshSize<dim> mesh) const;
+
+  /** @throw SceneError where the memory does not suffice for a mesh that is
+   * refined so. */
+  void
+  check_refined(const Parameters &parameters, const MeshSize<dim> &mesh) const;
 };
 
 /** Make the body that a scene asks for.

@@ -5,7 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
-
+#include <vector>
 namespace Setsudan
 {
 /** Subsection `Output`. */
@@ -81,11 +81,18 @@ public:
    * Make the directory, and remove what an earlier run left in it. Called by
    * all processes; the first one acts.
    *
-   * @throw SceneError on all processes where that is not possible.
+   * Only a directory whose parameters.prm says that this program wrote it holds
+   * an earlier run. Files of the same names in others are somebody's, and those
+   * that the present run reads stay in any case.
+   *
+   * @param inputs the files that the run reads.
+   * @throw SceneError on all processes where that is not possible, before
+   * anything is removed.
    */
   OutputDirectory(const std::string &path,
                   const MPI_Comm communicator,
-                  const Earlier earlier = Earlier::removed);
+                  const Earlier earlier                  = Earlier::removed,
+                  const std::vector<std::string> &inputs = {});
 
   /** Whether a file is there; asked by the first process. */
   bool
@@ -113,6 +120,9 @@ public:
   write_file(
     const std::string &name,
     const std::function<void(const std::string &file_name)> &write_to) const;
+
+  /** Begins the parameters.prm of a run, as a comment. */
+  static const std::string signature;
 
   const std::string path;
 };

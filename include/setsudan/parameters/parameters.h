@@ -59,6 +59,10 @@ public:
   bool
   is_given(const std::string &subsection, const std::string &name) const;
 
+  /** The files that parameters were read from. */
+  std::vector<std::string>
+  files() const;
+
   /** The path of a file that a parameter names relative to the scene file. */
   std::string
   path(const std::string &subsection, const std::string &name) const;
