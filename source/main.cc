@@ -4,7 +4,7 @@
 #include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/resumption.h>
 #include <setsudan/simulation/simulation.h>
-
+#include <setsudan/simulation/validation.h>
 #include <CLI/CLI.hpp>
 
 #include <cctype>
@@ -40,6 +40,35 @@ struct CommandLine
   bool print_parameters = false;
 };
 
+/** Say what was understood of a scene, and where an output directory is named
+ * write it as a frame. */
+template <int dim>
+void
+say_what_is_valid(const CommandLine &command_line,
+                  const Scene<dim> &scene,
+                  const Parameters &parameters,
+                  const MPI_Comm communicator)
+{
+  const auto validation = validate(scene, parameters, communicator);
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+    return;
+  std::cout << command_line.scene << " is a valid scene.\n";
+  for (const auto &line : validation.lines)
+    std::cout << line << '\n';
+  if (command_line.output)
+    {
+      const OutputDirectory directory(scene.output.directory,
+                                      MPI_COMM_SELF,
+                                      OutputDirectory::Earlier::kept);
+      directory.write("validation.vtu", [&](std::ostream &out) {
+        write_vtu(validation_grid(scene, validation), out);
+      });
+      std::cout << "What it selects is in " << directory.path
+                << "/validation.vtu.\n";
+    }
+  std::cout << std::flush;
+}
+
 /** Read the scene, and do what the command line asks for with it. */
 template <int dim>
 void
@@ -58,8 +87,8 @@ run(const CommandLine &command_line,
   if (command_line.scene.empty())
     return;
   const Scene<dim> scene(parameters);
-  if (command_line.validate && speaks)
-    std::cout << command_line.scene << " is a valid scene." << std::endl;
+  if (command_line.validate)
+    say_what_is_valid(command_line, scene, parameters, communicator);
   if (command_line.validate || command_line.print_parameters)
     return;
   note_interruptions();
@@ -145,7 +174,10 @@ read(int argc, char **argv, const bool speaks, CommandLine &command_line)
   app.add_flag("--resume",
                command_line.resume,
                "Go on with a run of this scene that was stopped");
-  app.add_flag("--validate", command_line.validate, "Check the scene and stop");
+  app.add_flag("--validate",
+               command_line.validate,
+               "Check the scene, say what it selects, and stop; with --output "
+               "write it as a frame for ParaView");
   app.add_flag("--verbose",
                command_line.verbose,
                "Say which kernels and threads the program computes with");

@@ -167,6 +167,21 @@ volume_of_element(const ElementNodes<dim> &nodes)
 
 
 
+template <int dim>
+Tensor<1, dim>
+first_moment_of_element(const ElementNodes<dim> &nodes)
+{
+  static const QGauss<dim> rule(3);
+  static const auto table = tabulate(rule.get_points());
+  Tensor<1, dim> moment;
+  for (unsigned int q = 0; q < rule.size(); ++q)
+    moment += rule.weight(q) * determinant(jacobian(nodes, table[q])) *
+              point_of_element(nodes, rule.point(q));
+  return moment;
+}
+
+
+
 namespace
 {
 /** The lengths of the shortest and the longest straight line between the ends
@@ -258,6 +273,10 @@ template double
 volume_of_element(const ElementNodes<2> &);
 template double
 volume_of_element(const ElementNodes<3> &);
+template Tensor<1, 2>
+first_moment_of_element(const ElementNodes<2> &);
+template Tensor<1, 3>
+first_moment_of_element(const ElementNodes<3> &);
 template std::string
 text_of(const Point<2> &);
 template std::string

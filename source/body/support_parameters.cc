@@ -129,7 +129,11 @@ SupportParameters<dim>::SupportParameters(const Parameters &parameters,
     nodes.insert(
       node_of_word(parameters, "Support", "Fixed nodes", body, word));
   if (!nodes.empty())
-    supports.push_back({Region<dim>(nodes), std::bitset<dim>().set(), {}});
+    supports.push_back({Region<dim>(nodes),
+                        std::bitset<dim>().set(),
+                        {},
+                        "Fixed nodes = " +
+                          parameters.text("Support", "Fixed nodes")});
 }
 
 
@@ -142,7 +146,8 @@ SupportParameters<dim>::read_groups(const Parameters &parameters,
   for (const auto &word : split(parameters.text("Support", "Fixed faces"), ','))
     supports.push_back({region_of_word(parameters, "Fixed faces", body, word),
                         std::bitset<dim>().set(),
-                        {}});
+                        {},
+                        "Fixed faces = " + word});
   for (const auto &[word, text] :
        split_items(parameters.text("Support", "Fixed components"), ';'))
     {
@@ -155,7 +160,8 @@ SupportParameters<dim>::read_groups(const Parameters &parameters,
       supports.push_back(
         {region_of_word(parameters, "Fixed components", body, word),
          components,
-         {}});
+         {},
+         "Fixed components = " + word});
     }
 }
 
@@ -195,7 +201,7 @@ SupportParameters<dim>::read_boxes(const Parameters &parameters,
         "Support",
         "Fixed boxes",
         "boxes that hold nodes of the body, and '" + corners + "' holds none");
-      supports.push_back({box, components, {}});
+      supports.push_back({box, components, {}, "Fixed boxes = " + corners});
     }
 }
 
@@ -231,7 +237,8 @@ SupportParameters<dim>::read_displacements(const Parameters &parameters,
       supports.push_back(
         {region_of_word(parameters, "Displacements", body, word),
          components,
-         displacement});
+         displacement,
+         "Displacements = " + word});
     }
 }
 

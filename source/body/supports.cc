@@ -54,6 +54,15 @@ Supports<dim>::held_points(const std::vector<unsigned int> &cells) const
 
 
 template <int dim>
+const std::vector<Support<dim>> &
+Supports<dim>::all() const
+{
+  return supports;
+}
+
+
+
+template <int dim>
 bool
 Supports<dim>::move() const
 {

@@ -27,10 +27,8 @@ counted(const std::string &name, const unsigned int n)
 
 
 template <int dim>
-void
-write_piece_vtu(const PieceMesh<dim> &piece,
-                const OutputDirectory &directory,
-                const std::string &name)
+VtuGrid
+grid_of_piece(const PieceMesh<dim> &piece)
 {
   VtuGrid grid;
   // VTK's quadratic quadrilateral and quadratic hexahedron.
@@ -40,19 +38,35 @@ write_piece_vtu(const PieceMesh<dim> &piece,
   const auto nodes      = connectivity(piece, vtk_edges<dim>(), 0);
   grid.connectivity.assign(nodes.begin(), nodes.end());
   grid.point_data = {counted("node", piece.nodes.size()),
-                     numbers("node_in_body", piece.numbers_in_body),
-                     {"displacement",
-                      3,
-                      coordinates<dim>(piece.displacements),
-                      {"X", "Y", "Z"}}};
+                     numbers("node_in_body", piece.numbers_in_body)};
   grid.cell_data  = {counted("element", piece.elements.size()),
-                     numbers("element_in_body", piece.elements_in_body),
-                     numbers("material", piece.materials)};
+                    numbers("element_in_body", piece.elements_in_body)};
+  return grid;
+}
+
+
+
+template <int dim>
+void
+write_piece_vtu(const PieceMesh<dim> &piece,
+                const OutputDirectory &directory,
+                const std::string &name)
+{
+  VtuGrid grid = grid_of_piece(piece);
+  grid.point_data.push_back({"displacement",
+                             3,
+                             coordinates<dim>(piece.displacements),
+                             {"X", "Y", "Z"}});
+  grid.cell_data.push_back(numbers("material", piece.materials));
   directory.write(name, [&](std::ostream &out) { write_vtu(grid, out); });
 }
 
 
 
+template VtuGrid
+grid_of_piece(const PieceMesh<2> &);
+template VtuGrid
+grid_of_piece(const PieceMesh<3> &);
 template void
 write_piece_vtu(const PieceMesh<2> &,
                 const OutputDirectory &,

@@ -4,6 +4,7 @@
 #include <setsudan/output/calculix_deck.h>
 #include <setsudan/output/node_table.h>
 #include <setsudan/output/piece_mesh.h>
+#include <setsudan/output/piece_table.h>
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/frame_facts.h>
 #include <setsudan/simulation/recorder.h>
@@ -270,6 +271,11 @@ Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
       write_piece_msh(piece, directory, name + ".msh");
       write_piece_vtu(piece, directory, name + ".vtu");
     }
+  directory.write("pieces.csv", [&](std::ostream &out) {
+    write_piece_table(summarize_pieces(scene.body, body.labels.piece),
+                      scene.loads.body_force,
+                      out);
+  });
   if (!(std::abs(volume - volume_of_body) <= 1e-12 * volume_of_body))
     throw std::runtime_error("The pieces' volumes sum up to " +
                              short_text(volume) + " and the body's is " +

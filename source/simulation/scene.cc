@@ -1,7 +1,7 @@
 #include <setsudan/body/geometry.h>
 #include <setsudan/elasticity/rigid_modes.h>
+#include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/scene.h>
-
 #include <filesystem>
 #include <numeric>
 #include <sstream>
@@ -160,6 +160,7 @@ Scene<dim>::Scene(const Parameters &parameters)
   , solver(solver_of(parameters, division))
   , output(parameters)
 {
+  check_size(parameters, shape, cut, estimate_size(shape, body, cut, solver));
   check_supports(parameters, body, supports);
   // The path of the body's file changes with the directory: it may be none that
   // parameters.prm can hold.

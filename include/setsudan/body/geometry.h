@@ -63,6 +63,11 @@ template <int dim>
 double
 volume_of_element(const ElementNodes<dim> &nodes);
 
+/** The integral of the position over an element: over its volume, its centre. */
+template <int dim>
+dealii::Tensor<1, dim>
+first_moment_of_element(const ElementNodes<dim> &nodes);
+
 /**
  * The smallest determinant of the Jacobian at the nodes and Gauss points, over
  * the volume of a cube whose edge is the element's longest line: 1 for a

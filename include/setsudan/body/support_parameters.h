@@ -7,6 +7,7 @@
 #include <setsudan/parameters/parameters.h>
 
 #include <bitset>
+#include <string>
 #include <vector>
 
 namespace Setsudan
@@ -19,6 +20,8 @@ struct Support
   std::bitset<dim> components;
   /** The displacement of the held components. */
   dealii::Tensor<1, dim> displacement;
+  /** As the scene has it. */
+  std::string text = {};
 };
 
 /** Subsection `Support`: what holds the body, or moves it. */

@@ -43,6 +43,10 @@ public:
   std::vector<HeldPoint<dim>>
   held_points(const std::vector<unsigned int> &cells) const;
 
+  /** One by one, as the scene has them. */
+  const std::vector<Support<dim>> &
+  all() const;
+
   /** Whether a support moves what it holds. */
   bool
   move() const;

@@ -3,7 +3,7 @@
 #include <setsudan/body/body.h>
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/output/output_directory.h>
-
+#include <setsudan/output/vtu.h>
 #include <array>
 #include <string>
 #include <vector>
@@ -92,7 +92,12 @@ write_piece_msh(const PieceMesh<dim> &piece,
                 const OutputDirectory &directory,
                 const std::string &name);
 
-/** Write a piece for ParaView, with its numbers. */
+/** The nodes and elements of a piece for VTK, with their numbers. */
+template <int dim>
+VtuGrid
+grid_of_piece(const PieceMesh<dim> &piece);
+
+/** Write a piece for ParaView, with its numbers, displacement and materials. */
 template <int dim>
 void
 write_piece_vtu(const PieceMesh<dim> &piece,

@@ -1,0 +1,221 @@
+#include <setsudan/body/joints.h>
+#include <setsudan/body/mesh_size.h>
+#include <setsudan/output/piece_table.h>
+#include <setsudan/parameters/lists.h>
+#include <setsudan/simulation/announcements.h>
+#include <setsudan/simulation/cut_body.h>
+#include <setsudan/simulation/model_size.h>
+#include <setsudan/simulation/validation.h>
+
+#include <set>
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+std::string
+counted(const double n, const std::string &what)
+{
+  return std::to_string(static_cast<long long>(n)) + " " + what +
+         (n == 1 ? "" : "s");
+}
+
+template <int dim>
+std::string
+describe_size(const Scene<dim> &scene)
+{
+  const ModelSize size =
+    estimate_size(scene.shape, scene.body, scene.cut, scene.solver);
+  return "Body: " + std::to_string(dim) + "D, " +
+         counted(scene.body.mesh.cells.size(), "element") + ", " +
+         counted(scene.body.n_nodes(), "node") + "; solved with about " +
+         counted(size.n_unknowns, "unknown") + ", in " +
+         text_of_memory(size.bytes) + " of memory or more.";
+}
+
+template <int dim>
+std::string
+describe_groups(const Body<dim> &body)
+{
+  std::string line;
+  for (const auto &group : body.groups)
+    line += (line.empty() ? "Groups: " : "; ") + describe_group(group, dim) +
+            " with " +
+            std::to_string(group.dimension == dim ? group.cells.size()
+                                                  : group.entities.size());
+  return line.empty() ? "Groups: none." : line + ".";
+}
+
+/** The names of the held components. */
+template <int dim>
+std::string
+text_of_components(const std::bitset<dim> &components)
+{
+  std::string text;
+  for (unsigned int c = 0; c < dim; ++c)
+    if (components[c])
+      text += "xyz"[c];
+  return text;
+}
+
+/** What each support takes: its nodes in the body before refinement. */
+template <int dim>
+std::vector<std::string>
+describe_supports(const Scene<dim> &scene)
+{
+  std::vector<std::string> lines;
+  for (const auto &support : scene.supports.all())
+    {
+      std::set<unsigned int> nodes;
+      for (unsigned int e = 0; e < scene.body.mesh.cells.size(); ++e)
+        for (unsigned int n = 0; n < n_element_nodes<dim>; ++n)
+          if (support.region.contains(
+                scene.body, e, unit_point_of_node<dim>(n)))
+            nodes.insert(scene.body.node_numbers[e][n]);
+      std::string line = "Support (" + support.text + "): " +
+                         counted(nodes.size(), "node") + " held along " +
+                         text_of_components<dim>(support.components);
+      if (support.displacement != Tensor<1, dim>())
+        line += " and moved by " +
+                text_of(Point<dim>(support.displacement));
+      lines.push_back(line + ".");
+    }
+  return lines;
+}
+
+template <int dim>
+std::vector<std::string>
+describe_loads(const Scene<dim> &scene)
+{
+  std::vector<std::string> lines;
+  if (scene.loads.body_force != Tensor<1, dim>())
+    lines.push_back("Load (Body force): on all elements.");
+  if (!scene.loads.surface_loads.empty())
+    lines.push_back("Load (Pressures, Tractions): on " +
+                    counted(scene.loads.surface_loads.size(), "element face") +
+                    ".");
+  if (!scene.loads.nodal_forces.empty())
+    lines.push_back("Load (Nodal forces): on " +
+                    counted(scene.loads.nodal_forces.size(), "node") + ".");
+  return lines;
+}
+
+/** The rows of the newest cut. */
+template <int dim>
+RowsOfNodes
+rows_of_nodes(const Seam<dim> &seam)
+{
+  RowsOfNodes rows;
+  for (unsigned int row = 0; row < seam.rows().size(); ++row)
+    for (const unsigned int pair : seam.rows()[row].pairs)
+      rows[seam.pairs()[pair].name] = row;
+  return rows;
+}
+
+/** The pieces, as a list. */
+template <int dim>
+std::vector<std::string>
+describe_pieces(const Scene<dim> &scene, const CutBody<dim> &body)
+{
+  std::vector<std::string> lines;
+  const auto summaries = summarize_pieces(scene.body, body.labels.piece);
+  for (unsigned int p = 0; p < summaries.size(); ++p)
+    {
+      std::ostringstream line;
+      line.precision(6);
+      line << "  piece " << p << ": "
+           << counted(summaries[p].n_elements, "element") << ", volume "
+           << summaries[p].volume << ", centre "
+           << text_of(summaries[p].center);
+      if (scene.loads.body_force != Tensor<1, dim>())
+        line << ", weight "
+             << text_of(
+                  Point<dim>(summaries[p].volume * scene.loads.body_force));
+      lines.push_back(line.str() + ".");
+    }
+  return lines;
+}
+
+/** Make one cut without solving. */
+template <int dim>
+void
+make_cut(const Scene<dim> &scene,
+         const unsigned int cut,
+         CutBody<dim> &body,
+         Validation &validation)
+{
+  auto &lines = validation.lines;
+  validation.rows.emplace_back();
+  if (!body.approach(scene.cut.cuts[cut]))
+    {
+      lines.push_back("Cut " + std::to_string(cut) + " (" +
+                      scene.cut.cuts[cut].text +
+                      "): nothing is left to cut there.");
+      return;
+    }
+  validation.rows.back() = rows_of_nodes(body.seam());
+  lines.push_back(describe_cut(body, cut));
+  body.open();
+  const unsigned int n_before = body.n_pieces();
+  for (unsigned int row = 0; row < body.seam().rows().size(); ++row)
+    {
+      const auto known = body.loose_pieces;
+      if (!body.is_left_out(row))
+        body.release(row);
+      for (const auto &line : describe_loose_pieces(scene, body, known))
+        lines.push_back("  behind row " + std::to_string(row + 1) + ":" +
+                        line.substr(1));
+    }
+  const auto known = body.loose_pieces;
+  body.divide();
+  for (const auto &line : describe_loose_pieces(scene, body, known))
+    lines.push_back(line);
+  lines.push_back("  it leaves " + counted(body.n_pieces(), "piece") +
+                  (body.n_pieces() == n_before ? ", as before it." : "."));
+}
+} // namespace
+
+
+
+template <int dim>
+Validation
+validate(const Scene<dim> &scene,
+         const Parameters &parameters,
+         const MPI_Comm communicator)
+{
+  Validation validation;
+  auto &lines       = validation.lines;
+  const auto append = [&](const std::vector<std::string> &more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+  };
+  lines = {describe_size(scene), describe_groups(scene.body)};
+  append(open_joints(parameters, scene.shape, scene.body));
+  append(describe_supports(scene));
+  append(describe_loads(scene));
+  CutBody<dim> body(scene, Refinement(), communicator);
+  for (unsigned int cut = 0; cut < scene.cut.cuts.size(); ++cut)
+    try
+      {
+        make_cut(scene, cut, body, validation);
+      }
+    catch (const std::runtime_error &error)
+      {
+        lines.push_back("Warning: the run will stop in cut " +
+                        std::to_string(cut) + ": " + error.what());
+        break;
+      }
+  append(describe_pieces(scene, body));
+  validation.pieces = body.labels.piece;
+  return validation;
+}
+
+
+
+template Validation
+validate(const Scene<2> &, const Parameters &, const MPI_Comm);
+template Validation
+validate(const Scene<3> &, const Parameters &, const MPI_Comm);
+} // namespace Setsudan
