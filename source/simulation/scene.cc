@@ -1,3 +1,4 @@
+#include <setsudan/elasticity/hinges.h>
 #include <setsudan/elasticity/rigid_modes.h>
 #include <setsudan/simulation/scene.h>
 
@@ -118,6 +119,12 @@ check_supports(const Parameters &parameters,
     "groups, boxes and nodes that hold the body; with these it is free to move "
     "rigidly in " +
       std::to_string(hold.size()) + (hold.size() == 1 ? " way" : " ways"));
+  if (const auto loose = describe_loose_part(body, supports))
+    parameters.reject("Support",
+                      given_support(parameters),
+                      "groups, boxes and nodes that hold every part of the "
+                      "body; " +
+                        *loose);
   if (const auto node = supports.find_contradiction())
     {
       std::ostringstream text;
