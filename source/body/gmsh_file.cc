@@ -58,7 +58,8 @@ collect_vertices(const GmshMesh<dim> &file)
   return numbers;
 }
 
-/** Those of some numbers of nodes that belong to no element; all ascending. */
+/** Those of some numbers of nodes that belong to no element, among them what is
+ * left out of the middle of faces and elements; all ascending. */
 template <int dim>
 std::vector<unsigned int>
 collect_unused_nodes(const GmshMesh<dim> &file,
