@@ -1,11 +1,11 @@
 #include <deal.II/base/mpi.h>
 
+#include <CLI/CLI.hpp>
 #include <setsudan/kernel/blas.h>
 #include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/resumption.h>
 #include <setsudan/simulation/simulation.h>
 #include <setsudan/simulation/validation.h>
-#include <CLI/CLI.hpp>
 
 #include <cctype>
 #include <csignal>
@@ -46,10 +46,9 @@ template <int dim>
 void
 say_what_is_valid(const CommandLine &command_line,
                   const Scene<dim> &scene,
-                  const Parameters &parameters,
                   const MPI_Comm communicator)
 {
-  const auto validation = validate(scene, parameters, communicator);
+  const auto validation = validate(scene, communicator);
   if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
     return;
   std::cout << command_line.scene << " is a valid scene.\n";
@@ -57,9 +56,8 @@ say_what_is_valid(const CommandLine &command_line,
     std::cout << line << '\n';
   if (command_line.output)
     {
-      const OutputDirectory directory(scene.output.directory,
-                                      MPI_COMM_SELF,
-                                      OutputDirectory::Earlier::kept);
+      const OutputDirectory directory(
+        scene.output.directory, MPI_COMM_SELF, OutputDirectory::Earlier::kept);
       directory.write("validation.vtu", [&](std::ostream &out) {
         write_vtu(validation_grid(scene, validation), out);
       });
@@ -88,7 +86,7 @@ run(const CommandLine &command_line,
     return;
   const Scene<dim> scene(parameters);
   if (command_line.validate)
-    say_what_is_valid(command_line, scene, parameters, communicator);
+    say_what_is_valid(command_line, scene, communicator);
   if (command_line.validate || command_line.print_parameters)
     return;
   note_interruptions();

@@ -58,6 +58,20 @@ Body<dim>::has_node(const unsigned int number) const
 
 
 template <int dim>
+unsigned int
+Body<dim>::node_of_vertex(const unsigned int vertex) const
+{
+  for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+    for (unsigned int v = 0; v < mesh.cells[cell].vertices.size(); ++v)
+      if (mesh.cells[cell].vertices[v] == vertex)
+        return node_numbers[cell][v];
+  Assert(false, ExcMessage("Every vertex belongs to an element."));
+  return numbers::invalid_unsigned_int;
+}
+
+
+
+template <int dim>
 Body<dim>
 make_box(const Point<dim> &size,
          const typename BoxNumbering<dim>::Indices &n_elements)

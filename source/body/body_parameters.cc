@@ -1,5 +1,6 @@
 #include <setsudan/body/body_parameters.h>
 #include <setsudan/body/gmsh_file.h>
+#include <setsudan/body/joints.h>
 
 #include <limits>
 
@@ -15,6 +16,33 @@ element_type_of_word(const std::string &word)
   return word == "linear"      ? ElementType::linear
          : word == "quadratic" ? ElementType::quadratic
                                : ElementType::serendipity;
+}
+
+template <int dim>
+typename BodyParameters<dim>::OpenJoints
+open_joints_of_word(const std::string &word)
+{
+  using OpenJoints = typename BodyParameters<dim>::OpenJoints;
+  return word == "refuse"  ? OpenJoints::refuse
+         : word == "allow" ? OpenJoints::allow
+                           : OpenJoints::warn;
+}
+
+/** @throw SceneError that says where the body touches itself without being
+ * joined. */
+template <int dim>
+void
+refuse_open_joints(const Parameters &parameters, const Body<dim> &body)
+{
+  std::string sentences;
+  for (const auto &sentence : describe_joints(body, find_joints(body)))
+    sentences += " " + sentence;
+  // The message puts a full stop of its own.
+  parameters.require(sentences.empty(),
+                     "Body",
+                     "Open joints",
+                     "warn or allow with this body." +
+                       sentences.substr(0, sentences.rfind('.')));
 }
 } // namespace
 
@@ -55,6 +83,23 @@ BodyParameters<dim>::declare(ParameterHandler &handler)
                     "addressed by name or number.");
   Setsudan::declare(handler,
                     "Body",
+                    "Meshing time",
+                    "600",
+                    Patterns::Double(0),
+                    "How long gmsh may take to read or mesh the file, greater "
+                    "than 0: then it is stopped [s].");
+  Setsudan::declare(handler,
+                    "Body",
+                    "Open joints",
+                    "warn",
+                    Patterns::Selection("warn|refuse|allow"),
+                    "What is done where parts of the file's body touch without "
+                    "being joined face to face: nodes that lie in one place, "
+                    "faces that lie on others with other nodes, parts that "
+                    "share a line or a point only. allow: they are meant, like "
+                    "the double nodes of a slit.");
+  Setsudan::declare(handler,
+                    "Body",
                     "Refinement",
                     "0",
                     Patterns::Integer(0, 10),
@@ -77,6 +122,9 @@ template <int dim>
 BodyParameters<dim>::BodyParameters(const Parameters &parameters)
   : shape(parameters.text("Body", "Shape") == "box" ? Shape::box : Shape::file)
   , file(parameters.text("Body", "File"))
+  , meshing_time(parameters.number("Body", "Meshing time"))
+  , open_joints(
+      open_joints_of_word<dim>(parameters.text("Body", "Open joints")))
   , transformation(parameters)
   , refinement(parameters.natural("Body", "Refinement"))
   , element_type(element_type_of_word(parameters.text("Body", "Element type")))
@@ -85,6 +133,8 @@ BodyParameters<dim>::BodyParameters(const Parameters &parameters)
                      "Body",
                      "File",
                      "a gmsh file with Shape = file, and nothing with box");
+  parameters.require(
+    meshing_time > 0, "Body", "Meshing time", "a time greater than 0");
   const auto lengths = parameters.numbers("Body", "Size", dim);
   const auto counts  = parameters.numbers("Body", "Elements", dim);
   double n_cells     = 1;
@@ -147,7 +197,8 @@ make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
       return make_box(choice.size, choice.n_elements);
     try
       {
-        return read_gmsh_file<dim>(parameters.path("Body", "File"));
+        return read_gmsh_file<dim>(parameters.path("Body", "File"),
+                                   choice.meshing_time);
       }
     catch (const std::runtime_error &error)
       {
@@ -163,6 +214,8 @@ make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
   choice.transformation.apply(body);
   body.has_middle_nodes =
     choice.element_type != ElementType::linear || choice.refinement > 0;
+  if (choice.open_joints == BodyParameters<dim>::OpenJoints::refuse)
+    refuse_open_joints(parameters, body);
   return body;
 }
 

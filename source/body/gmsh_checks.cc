@@ -1,5 +1,6 @@
 #include <setsudan/body/geometry.h>
 #include <setsudan/body/gmsh_checks.h>
+#include <setsudan/body/gmsh_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,74 @@ place_on_line(const ElementNodes<dim> &nodes, const unsigned int node)
   const auto ends  = vertices_of_node<dim>(node);
   const auto chord = nodes[ends[1]] - nodes[ends[0]];
   return ((nodes[node] - nodes[ends[0]]) * chord) / chord.norm_square();
+}
+
+/** Where they must lie, from the middle. Behind it the element is inverted at
+ * the end of the line, and there, at a quarter, its strain is singular. */
+constexpr double largest_way_from_middle = 0.25;
+
+template <int dim>
+bool
+is_in_middle(const ElementNodes<dim> &nodes, const unsigned int node)
+{
+  return std::abs(place_on_line<dim>(nodes, node) - 0.5) <=
+         largest_way_from_middle;
+}
+
+/** Whether a file of gmsh seems to list the nodes of an element as VTK does: so
+ * all middle nodes are in the middle of their lines. */
+template <int dim>
+bool
+is_in_order_of_vtk(const ElementNodes<dim> &nodes)
+{
+  const auto gmsh = node_order<dim>(gmsh_edges<dim>());
+  const auto vtk  = node_order<dim>(vtk_edges<dim>());
+  ElementNodes<dim> read_as_vtk;
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+    read_as_vtk[vtk[i]] = nodes[gmsh[i]];
+  bool fits = true;
+  for (unsigned int node = GeometryInfo<dim>::vertices_per_cell;
+       node < nodes.size();
+       ++node)
+    fits = fits && is_in_middle<dim>(read_as_vtk, node);
+  return fits;
+}
+
+/** Refuse middle nodes that are not in the middle of an element's lines. */
+template <int dim>
+void
+check_middle_nodes(const Body<dim> &body,
+                   const unsigned int cell,
+                   const std::size_t element_number)
+{
+  constexpr double round_off = 1e-6;
+  const auto nodes           = body.mesh.node_positions(cell);
+  for (unsigned int node = GeometryInfo<dim>::vertices_per_cell;
+       node < nodes.size();
+       ++node)
+    {
+      const double way  = std::abs(place_on_line<dim>(nodes, node) - 0.5);
+      const auto number = body.node_numbers[cell][node];
+      if (std::abs(way - largest_way_from_middle) < round_off)
+        refuse("node ",
+               number,
+               " of element ",
+               element_number,
+               " is a middle node at a quarter of its line: singular elements "
+               "of fracture mechanics cannot be computed here; move it into "
+               "the middle");
+      if (!is_in_middle<dim>(nodes, node))
+        refuse("node ",
+               number,
+               " of element ",
+               element_number,
+               " is a middle node, but outside of the middle half of its line",
+               is_in_order_of_vtk<dim>(nodes)
+                 ? "; the file seems to list the nodes in the order of VTK and "
+                   "Abaqus, in which all of them are in the middle: write them "
+                   "in gmsh's order"
+                 : "");
+    }
 }
 
 /** The corners of a face around it as seen from outside of the cell,
@@ -81,18 +150,10 @@ check_shapes(const Body<dim> &body,
 {
   for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
     {
-      const auto nodes = body.mesh.node_positions(cell);
-      for (unsigned int node = GeometryInfo<dim>::vertices_per_cell;
-           node < nodes.size() && body.mesh.is_curved();
-           ++node)
-        if (!(std::abs(place_on_line<dim>(nodes, node) - 0.5) <= 0.25))
-          refuse("node ",
-                 body.node_numbers[cell][node],
-                 " of element ",
-                 element_numbers[cell],
-                 " is a middle node, but outside of the middle half of its "
-                 "line");
-      const double jacobian = scaled_jacobian<dim>(nodes);
+      if (body.mesh.is_curved())
+        check_middle_nodes(body, cell, element_numbers[cell]);
+      const double jacobian =
+        scaled_jacobian<dim>(body.mesh.node_positions(cell));
       // Also for positions that are no numbers.
       if (!(jacobian > smallest_scaled_jacobian))
         refuse("element ",

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -20,14 +21,14 @@ using namespace dealii;
 namespace
 {
 template <int dim>
-constexpr unsigned int n_corners = GeometryInfo<dim>::vertices_per_cell;
+constexpr unsigned int n_element_corners = GeometryInfo<dim>::vertices_per_cell;
 
 template <int dim>
 void
 check_nodes_differ(const GmshMesh<dim> &file)
 {
   const unsigned int n_nodes =
-    file.is_quadratic ? n_element_nodes<dim> : n_corners<dim>;
+    file.is_quadratic ? n_element_nodes<dim> : n_element_corners<dim>;
   std::vector<unsigned int> nodes;
   for (unsigned int cell = 0; cell < file.elements.size(); ++cell)
     {
@@ -48,13 +49,33 @@ std::vector<unsigned int>
 collect_vertices(const GmshMesh<dim> &file)
 {
   std::vector<unsigned int> numbers;
-  numbers.reserve(file.elements.size() * n_corners<dim>);
+  numbers.reserve(file.elements.size() * n_element_corners<dim>);
   for (const auto &nodes : file.elements)
     numbers.insert(
-      numbers.end(), nodes.begin(), nodes.begin() + n_corners<dim>);
+      numbers.end(), nodes.begin(), nodes.begin() + n_element_corners<dim>);
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
+}
+
+/** Those of some numbers of nodes that belong to no element, among them what is
+ * left out of the middle of faces and elements; all ascending. */
+template <int dim>
+std::vector<unsigned int>
+collect_unused_nodes(const GmshMesh<dim> &file,
+                     const std::vector<unsigned int> &node_numbers)
+{
+  std::vector<unsigned int> used, unused;
+  used.reserve(file.elements.size() * n_element_nodes<dim>);
+  for (const auto &nodes : file.elements)
+    used.insert(used.end(), nodes.begin(), nodes.end());
+  std::sort(used.begin(), used.end());
+  std::set_difference(node_numbers.begin(),
+                      node_numbers.end(),
+                      used.begin(),
+                      used.end(),
+                      std::back_inserter(unused));
+  return unused;
 }
 
 /** The position of a node, in 2D without its third coordinate. */
@@ -101,7 +122,7 @@ make_cells(const GmshMesh<dim> &file,
 {
   std::vector<CellData<dim>> cells(file.elements.size());
   for (unsigned int cell = 0; cell < cells.size(); ++cell)
-    for (unsigned int v = 0; v < n_corners<dim>; ++v)
+    for (unsigned int v = 0; v < n_element_corners<dim>; ++v)
       cells[cell].vertices[v] = std::lower_bound(vertex_numbers.begin(),
                                                  vertex_numbers.end(),
                                                  file.elements[cell][v]) -
@@ -152,13 +173,14 @@ collect_line_nodes(const GmshMesh<dim> &file, const CoarseMesh<dim> &straight)
   for (unsigned int cell = 0; cell < line_nodes.size(); ++cell)
     {
       const auto middle = straight.node_positions(cell);
-      for (unsigned int node = n_corners<dim>; node < middle.size(); ++node)
+      for (unsigned int node = n_element_corners<dim>; node < middle.size();
+           ++node)
         {
           const auto ends     = vertices_of_node<dim>(node);
           const double length = middle[ends[0]].distance(middle[ends[1]]);
           const auto position = position_of(file, file.elements[cell][node]);
-          line_nodes[cell][node - n_corners<dim>] = position;
-          is_straight                             = is_straight &&
+          line_nodes[cell][node - n_element_corners<dim>] = position;
+          is_straight                                     = is_straight &&
                         position.distance(middle[node]) <= tolerance * length;
         }
     }
@@ -187,10 +209,10 @@ take_elements(const GmshMesh<dim> &file,
 
 template <int dim>
 Body<dim>
-read_gmsh_file(const std::string &file_name)
+read_gmsh_file(const std::string &file_name, const double time_limit)
 {
   const auto outline = outline_gmsh_file(file_name);
-  const auto file    = load_gmsh_mesh<dim>(file_name, outline);
+  const auto file    = load_gmsh_mesh<dim>(file_name, outline, time_limit);
   check_nodes_differ(file);
   check_positions(file);
 
@@ -199,9 +221,11 @@ read_gmsh_file(const std::string &file_name)
   make_counterclockwise(body);
   const FaceIndex<dim> faces(body.mesh);
   const auto lines = collect_lines(body.mesh);
-  // Nodes of no element do not count: gmsh keeps them or not, as files differ.
+  const auto &node_numbers =
+    outline.is_geometry ? file.node_numbers : outline.node_numbers;
+  body.unused_nodes = collect_unused_nodes(file, node_numbers);
   if (!file.is_quadratic)
-    number_middle_nodes(lines, vertex_numbers.back() + 1ull, body);
+    number_middle_nodes(lines, node_numbers.back() + 1ull, body);
 
   check_shapes(body, file.element_numbers);
   check_faces(body, faces, file.element_numbers);
@@ -215,7 +239,7 @@ read_gmsh_file(const std::string &file_name)
 
 
 template Body<2>
-read_gmsh_file(const std::string &);
+read_gmsh_file(const std::string &, const double);
 template Body<3>
-read_gmsh_file(const std::string &);
+read_gmsh_file(const std::string &, const double);
 } // namespace Setsudan

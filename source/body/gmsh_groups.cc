@@ -48,6 +48,33 @@ list_elements(const unsigned int dimension, const int entity)
   return keys;
 }
 
+/** Whether an entity is one that gmsh makes on the border between the parts of
+ * a partitioned mesh, out of entities of a larger dimension. */
+bool
+is_border_of_partition(const unsigned int dimension, const int entity)
+{
+  int parent_dimension, parent;
+  gmsh::model::getParent(dimension, entity, parent_dimension, parent);
+  return parent_dimension > int(dimension);
+}
+
+/** The entities of a physical group of the file: gmsh adds groups of its own to
+ * partitioned meshes. */
+std::vector<int>
+list_entities(const unsigned int dimension, const int number)
+{
+  std::vector<int> entities;
+  gmsh::model::getEntitiesForPhysicalGroup(dimension, number, entities);
+  entities.erase(std::remove_if(entities.begin(),
+                                entities.end(),
+                                [&](const int entity) {
+                                  return is_border_of_partition(dimension,
+                                                                entity);
+                                }),
+                 entities.end());
+  return entities;
+}
+
 void
 add_entity(const GmshOutline &outline, const int entity, Group &group)
 {
@@ -77,9 +104,7 @@ load_group(const unsigned int dim,
 {
   Group group = {"", number, dimension, {}, {}};
   gmsh::model::getPhysicalName(dimension, number, group.name);
-  std::vector<int> entities;
-  gmsh::model::getEntitiesForPhysicalGroup(dimension, number, entities);
-  for (const int entity : entities)
+  for (const int entity : list_entities(dimension, number))
     if (dimension < dim)
       add_entity(outline, entity, group);
     else if (const auto found = cells.find(entity); found != cells.end())
@@ -127,7 +152,7 @@ load_gmsh_groups(const unsigned int dim,
   gmsh::vectorpair known;
   gmsh::model::getPhysicalGroups(known);
   for (const auto &[dimension, number] : known)
-    if (dimension <= int(dim))
+    if (dimension <= int(dim) && !list_entities(dimension, number).empty())
       groups.push_back(load_group(dim, outline, cells, dimension, number));
   for (const auto &[dimension, number, name] : outline.group_names)
     if (dimension <= dim &&

@@ -1,14 +1,19 @@
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
 
+#include <setsudan/body/child_process.h>
+#include <setsudan/body/confinement.h>
 #include <setsudan/body/gmsh_groups.h>
 #include <setsudan/body/gmsh_mesh.h>
 #include <setsudan/body/gmsh_order.h>
 #include <setsudan/body/gmsh_selection.h>
 #include <setsudan/body/gmsh_session.h>
+#include <setsudan/parameters/lists.h>
 
 #include <gmsh.h>
 
 #include <algorithm>
+#include <csignal>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -121,25 +126,10 @@ load_elements(const GmshOutline &outline, GmshMesh<dim> &mesh)
     }
   return cells;
 }
-} // namespace
-
-
-template <int dim>
-const Point<3> &
-GmshMesh<dim>::position(const unsigned int node_number) const
-{
-  const auto found =
-    std::lower_bound(node_numbers.begin(), node_numbers.end(), node_number);
-  Assert(found != node_numbers.end() && *found == node_number,
-         ExcMessage("Files with unknown nodes have been refused."));
-  return node_positions[found - node_numbers.begin()];
-}
-
-
 
 template <int dim>
 GmshMesh<dim>
-load_gmsh_mesh(const std::string &file_name, const GmshOutline &outline)
+load_by_gmsh(const std::string &file_name, const GmshOutline &outline)
 {
   GmshMesh<dim> mesh;
   try
@@ -160,12 +150,81 @@ load_gmsh_mesh(const std::string &file_name, const GmshOutline &outline)
   return mesh;
 }
 
+/** Why gmsh has ended without a mesh and without a message. */
+std::string
+explain(const ChildFailure &failure,
+        const std::string &file_name,
+        const double time_limit)
+{
+  if (failure.reason == ChildFailure::Reason::exit)
+    return "the geometry ends gmsh itself by 'Exit' before there is a mesh; "
+           "take that command out";
+  if (failure.reason == ChildFailure::Reason::time_limit)
+    return "gmsh has not finished it within the " + short_text(time_limit) +
+           " s of Body/Meshing time: a loop or macro may have no end, or the "
+           "mesh needs more time";
+  if (failure.signal_number == SIGSYS)
+    return "the geometry runs a command by 'SystemCall', and a body's may run "
+           "none; take it out";
+  return "gmsh crashes when asked to read the file " + file_name +
+         ": a number or a list in it may be too large";
+}
+} // namespace
+
+
+template <int dim>
+const Point<3> &
+GmshMesh<dim>::position(const unsigned int node_number) const
+{
+  const auto found =
+    std::lower_bound(node_numbers.begin(), node_numbers.end(), node_number);
+  Assert(found != node_numbers.end() && *found == node_number,
+         ExcMessage("Files with unknown nodes have been refused."));
+  return node_positions[found - node_numbers.begin()];
+}
+
+
+
+template <int dim>
+GmshMesh<dim>
+load_gmsh_mesh(const std::string &file_name,
+               const GmshOutline &outline,
+               const double time_limit)
+{
+  const auto load = [&]() {
+    if (!confine_process() && outline.is_geometry)
+      throw std::runtime_error(
+        "this system has no filter (seccomp) to keep a geometry from running "
+        "commands and writing files: mesh it yourself by 'gmsh -3', and give "
+        "the .msh");
+    const auto packed =
+      Utilities::pack(load_by_gmsh<dim>(file_name, outline), false);
+    return std::string(packed.begin(), packed.end());
+  };
+  try
+    {
+      const std::string packed = run_in_child(load, time_limit);
+      return Utilities::unpack<GmshMesh<dim>>(
+        std::vector<char>(packed.begin(), packed.end()), false);
+    }
+  catch (const ChildFailure &failure)
+    {
+      throw std::runtime_error(explain(failure, file_name, time_limit));
+    }
+  catch (const std::bad_alloc &)
+    {
+      throw std::runtime_error(
+        "the memory does not suffice for gmsh to read or mesh it; take fewer "
+        "elements");
+    }
+}
+
 
 
 template struct GmshMesh<2>;
 template struct GmshMesh<3>;
 template GmshMesh<2>
-load_gmsh_mesh(const std::string &, const GmshOutline &);
+load_gmsh_mesh(const std::string &, const GmshOutline &, const double);
 template GmshMesh<3>
-load_gmsh_mesh(const std::string &, const GmshOutline &);
+load_gmsh_mesh(const std::string &, const GmshOutline &, const double);
 } // namespace Setsudan

@@ -1,6 +1,8 @@
 #include <setsudan/body/gmsh_numbers.h>
+#include <setsudan/parameters/text_lines.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -15,15 +17,49 @@ is_space(const char character)
 {
   return character == ' ' || (character >= '\t' && character <= '\r');
 }
+
+/** Read a whole word as a number; false where it is none. */
+template <typename Number>
+bool
+parse(const std::string_view &word, Number &number)
+{
+  const char *const word_end = word.data() + word.size();
+  const auto [end, error]    = std::from_chars(word.data(), word_end, number);
+  return error == std::errc() && end == word_end;
+}
+
+/** What may be wrong with a word that is no number, at its first character that
+ * is in none. */
+std::string
+describe_slip(const std::string_view &word)
+{
+  const std::size_t slip = word.find_first_not_of("+-.0123456789eE");
+  if (slip == std::string_view::npos)
+    return "";
+  if (word[slip] == ',')
+    return "; decimals stand behind a point";
+  if (slip > 0 && (word[slip] == 'D' || word[slip] == 'd'))
+    return "; exponents stand behind an E";
+  if (is_foreign(word[slip]))
+    return "; there is " + describe_character(std::string(word), slip);
+  return "";
+}
 } // namespace
 
 
-GmshNumbers::GmshNumbers(const std::string &section,
-                         const std::string_view &content,
+std::string
+GmshSection::place() const
+{
+  return file->place(content.data() - name.size() - 1);
+}
+
+
+
+GmshNumbers::GmshNumbers(const GmshSection &section,
                          const bool is_binary,
                          const unsigned int n_bytes)
   : section(section)
-  , content(content)
+  , content(section.content)
   , is_binary(is_binary)
   , n_bytes(n_bytes)
   // Bytes begin behind the line of the section's name.
@@ -73,7 +109,25 @@ GmshNumbers::skip_reals(const std::size_t n)
     skip_bytes(n * sizeof(double));
   else
     for (std::size_t i = 0; i < n; ++i)
-      read_word();
+      {
+        const std::string_view word = read_word();
+        double number;
+        if (!parse(word.substr(word[0] == '+'), number) ||
+            !std::isfinite(number))
+          throw_no_number(word, "a finite number");
+      }
+}
+
+
+
+void
+GmshNumbers::expect_end()
+{
+  skip_spaces();
+  if (position < content.size())
+    throw_damaged(
+      "has more numbers than it announces" +
+      (is_binary ? "" : " (" + section.file->place(&content[position]) + ")"));
 }
 
 
@@ -81,8 +135,8 @@ GmshNumbers::skip_reals(const std::size_t n)
 void
 GmshNumbers::throw_damaged(const std::string &how) const
 {
-  throw std::runtime_error("the file is damaged: its section " + section + " " +
-                           how);
+  throw std::runtime_error("the file is damaged: its section $" + section.name +
+                           " " + how);
 }
 
 
@@ -106,11 +160,18 @@ GmshNumbers::read_text()
 {
   Number number               = 0;
   const std::string_view word = read_word();
-  const char *const word_end  = word.data() + word.size();
-  const auto [end, error]     = std::from_chars(word.data(), word_end, number);
-  if (error != std::errc() || end != word_end)
-    throw_damaged("has '" + std::string(word) + "' where a number must be");
+  if (!parse(word, number))
+    throw_no_number(word, "a whole number");
   return number;
+}
+
+
+
+void
+GmshNumbers::skip_spaces()
+{
+  while (position < content.size() && is_space(content[position]))
+    ++position;
 }
 
 
@@ -118,14 +179,23 @@ GmshNumbers::read_text()
 std::string_view
 GmshNumbers::read_word()
 {
-  while (position < content.size() && is_space(content[position]))
-    ++position;
+  skip_spaces();
   const std::size_t begin = position;
   while (position < content.size() && !is_space(content[position]))
     ++position;
   if (begin == position)
     throw_damaged("has fewer numbers than it announces");
   return content.substr(begin, position - begin);
+}
+
+
+
+void
+GmshNumbers::throw_no_number(const std::string_view &word,
+                             const std::string &what) const
+{
+  throw_damaged("has '" + std::string(word) + "' where " + what + " must be (" +
+                section.file->place(word.data()) + ")" + describe_slip(word));
 }
 
 

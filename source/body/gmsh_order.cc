@@ -29,6 +29,26 @@ gmsh_edges()
 
 
 
+template <int dim>
+Edges
+vtk_edges()
+{
+  Edges edges = {{{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}};
+  if (dim == 3)
+    edges.insert(edges.end(),
+                 {{{4, 5}},
+                  {{5, 6}},
+                  {{6, 7}},
+                  {{7, 4}},
+                  {{0, 4}},
+                  {{1, 5}},
+                  {{2, 6}},
+                  {{3, 7}}});
+  return edges;
+}
+
+
+
 namespace
 {
 /** Corners of a cell in the order of gmsh and VTK: around the bottom, then
@@ -70,6 +90,10 @@ template Edges
 gmsh_edges<2>();
 template Edges
 gmsh_edges<3>();
+template Edges
+vtk_edges<2>();
+template Edges
+vtk_edges<3>();
 template std::vector<unsigned int>
 node_order<2>(const Edges &);
 template std::vector<unsigned int>

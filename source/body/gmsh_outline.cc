@@ -1,6 +1,8 @@
 #include <setsudan/body/gmsh_outline.h>
 #include <setsudan/body/gmsh_sections.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,14 +13,7 @@ namespace Setsudan
 {
 namespace
 {
-/** A part of a mesh file, from `$Name` to `$EndName`. */
-struct Section
-{
-  std::string name;
-  std::string_view content;
-};
-
-std::string
+TextFile
 read_all(const std::string &file_name)
 {
   namespace fs = std::filesystem;
@@ -33,7 +28,7 @@ read_all(const std::string &file_name)
     throw std::runtime_error("the file cannot be read");
   if (text.empty())
     throw std::runtime_error("the file is empty");
-  return text;
+  return {file_name, text};
 }
 
 /** The next '$' that begins a line, or npos. */
@@ -57,12 +52,13 @@ word_at(const std::string &text, const std::size_t position)
   return text.substr(position, end - position);
 }
 
-/** The sections of a text, which must live on. Binary sections can hold any
+/** The sections of a file, which must live on. Binary sections can hold any
  * bytes: so each is left by its end marker. */
-std::vector<Section>
-split_sections(const std::string &text)
+std::vector<GmshSection>
+split_sections(const TextFile &file)
 {
-  std::vector<Section> sections;
+  const std::string &text = file.text;
+  std::vector<GmshSection> sections;
   std::size_t position = find_marker(text, 0);
   while (position != std::string::npos)
     {
@@ -76,15 +72,39 @@ split_sections(const std::string &text)
         throw std::runtime_error("the file is truncated: its section $" + name +
                                  " has no $End" + name);
       sections.push_back(
-        {name, std::string_view(text).substr(begin, end - begin)});
+        {name, std::string_view(text).substr(begin, end - begin), &file});
       position = find_marker(text, end + name.size());
     }
   return sections;
 }
 
+/** Refuse a second section of what a mesh has once: gmsh takes one of them. */
+void
+check_single(const std::vector<GmshSection> &sections)
+{
+  for (const std::string name : {"MeshFormat",
+                                 "PhysicalNames",
+                                 "Entities",
+                                 "PartitionedEntities",
+                                 "Nodes",
+                                 "Elements"})
+    {
+      std::vector<std::string> places;
+      for (const auto &section : sections)
+        if (section.name == name)
+          places.push_back(section.place());
+      if (places.size() > 1)
+        throw std::runtime_error(
+          "the file has more than one section $" + name + " (" + places[0] +
+          ", " + places[1] +
+          "), of which gmsh takes one; make one mesh of it by gmsh, which can "
+          "merge files");
+    }
+}
+
 /** A section that every mesh must have. */
-const Section &
-find_section(const std::vector<Section> &sections, const std::string &name)
+const GmshSection &
+find_section(const std::vector<GmshSection> &sections, const std::string &name)
 {
   for (const auto &section : sections)
     if (section.name == name)
@@ -96,7 +116,7 @@ find_section(const std::vector<Section> &sections, const std::string &name)
 /** Entries of dimension, number, and name in quotes, behind their count. gmsh
  * crashes on other dimensions than 0 to 3. */
 std::vector<GmshOutline::GroupName>
-parse_group_names(const Section &section)
+parse_group_names(const GmshSection &section)
 {
   std::istringstream text{std::string(section.content)};
   std::size_t n_names = 0;
@@ -123,7 +143,7 @@ parse_group_names(const Section &section)
 
 /** The version, and whether the sections are binary. */
 std::pair<std::string, bool>
-parse_format(const Section &section)
+parse_format(const GmshSection &section)
 {
   std::istringstream text{std::string(section.content)};
   std::string version;
@@ -143,23 +163,25 @@ parse_format(const Section &section)
 }
 
 GmshOutline
-outline_mesh(const std::string &text)
+outline_mesh(const TextFile &file)
 {
   const std::string first = "$MeshFormat";
-  if (word_at(text, 0) != first)
+  const std::string word  = word_at(file.text, 0);
+  if (word != first)
     throw std::runtime_error(
-      "the file is no mesh of gmsh: it does not begin with " + first);
-  const auto sections             = split_sections(text);
+      "the file is no mesh of gmsh: it does not begin with " + first +
+      (word == "\xEF\xBB\xBF" + first
+         ? " but with a byte order mark; save it as UTF-8 without that"
+         : ""));
+  const auto sections = split_sections(file);
+  check_single(sections);
   const auto [version, is_binary] = parse_format(sections.front());
-  const Section &nodes            = find_section(sections, "Nodes");
-  const Section &elements         = find_section(sections, "Elements");
-  const auto node_numbers =
-    check_nodes_section(version, nodes.content, is_binary);
-  GmshOutline outline = {
-    false,
-    version,
-    check_elements_section(version, elements.content, is_binary, node_numbers),
-    {}};
+  const GmshSection &nodes        = find_section(sections, "Nodes");
+  const GmshSection &elements     = find_section(sections, "Elements");
+  GmshOutline outline             = {
+                false, version, check_nodes_section(version, nodes, is_binary), {}, {}};
+  outline.element_types =
+    check_elements_section(version, elements, is_binary, outline.node_numbers);
   for (const auto &section : sections)
     if (section.name == "PhysicalNames")
       outline.group_names = parse_group_names(section);
@@ -173,12 +195,16 @@ outline_gmsh_file(const std::string &file_name)
 {
   const std::string extension =
     std::filesystem::path(file_name).extension().string();
-  const std::string text = read_all(file_name);
+  const TextFile file = read_all(file_name);
+  check_encoding(file);
   if (extension == ".geo")
-    return {true, "", {}, {}};
+    {
+      check_characters_of_geometry(file);
+      return {true, "", {}, {}, {}};
+    }
   if (extension != ".msh")
     throw std::runtime_error(
       "the file is none of gmsh: its name ends neither in .msh nor in .geo");
-  return outline_mesh(text);
+  return outline_mesh(file);
 }
 } // namespace Setsudan

@@ -45,11 +45,16 @@ check_count(const GmshNumbers &numbers,
                           what + " and lists " + std::to_string(found));
 }
 
-/** Sort numbers, and refuse repeated ones: gmsh leaves out what has them. */
+/** Sort numbers, and refuse repeated ones, as gmsh leaves out what has them,
+ * and 0, which gmsh does not count from. */
 void
 sort_unique(std::vector<unsigned int> &numbers, const std::string &what)
 {
   std::sort(numbers.begin(), numbers.end());
+  if (!numbers.empty() && numbers.front() == 0)
+    throw std::runtime_error("the file has " + what +
+                             " 0, and gmsh counts from 1; number the " + what +
+                             "s anew");
   const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
   if (twice != numbers.end())
     throw std::runtime_error("the file lists " + what + " " +
@@ -66,6 +71,7 @@ check_nodes_2(GmshNumbers numbers)
       nodes.push_back(numbers.read_number());
       numbers.skip_reals(3);
     }
+  numbers.expect_end();
   return nodes;
 }
 
@@ -98,6 +104,7 @@ check_nodes_4(GmshNumbers numbers)
       numbers.skip_reals(n_in_block * (is_parametric ? 3 + dimension : 3));
     }
   check_count(numbers, "nodes", n_nodes, nodes.size());
+  numbers.expect_end();
   return nodes;
 }
 
@@ -172,6 +179,7 @@ public:
   std::set<int>
   finish()
   {
+    numbers.expect_end();
     sort_unique(element_numbers, "element");
     return types;
   }
@@ -209,12 +217,11 @@ private:
 
 std::vector<unsigned int>
 check_nodes_section(const std::string &version,
-                    const std::string_view &content,
+                    const GmshSection &section,
                     const bool is_binary)
 {
-  auto nodes = version == "4.1"
-                 ? check_nodes_4({"$Nodes", content, is_binary, 8})
-                 : check_nodes_2({"$Nodes", content, is_binary, 4});
+  auto nodes = version == "4.1" ? check_nodes_4({section, is_binary, 8})
+                                : check_nodes_2({section, is_binary, 4});
   sort_unique(nodes, "node");
   return nodes;
 }
@@ -223,12 +230,12 @@ check_nodes_section(const std::string &version,
 
 std::set<int>
 check_elements_section(const std::string &version,
-                       const std::string_view &content,
+                       const GmshSection &section,
                        const bool is_binary,
                        const std::vector<unsigned int> &nodes)
 {
   const unsigned int n_bytes = version == "4.1" ? 8 : 4;
-  Elements elements({"$Elements", content, is_binary, n_bytes}, nodes);
+  Elements elements({section, is_binary, n_bytes}, nodes);
   if (version == "4.1")
     elements.check_4();
   else if (is_binary)

@@ -1,4 +1,3 @@
-#include <setsudan/body/crash_sentence.h>
 #include <setsudan/body/gmsh_session.h>
 
 #include <gmsh.h>
@@ -47,17 +46,23 @@ struct Log
   }
 };
 
-/** Run `action`; @throw std::runtime_error that gmsh cannot do `what` with the
- * file, where gmsh throws or logs errors. Where gmsh crashes, that is said. */
+/** What is behind an error that does not tell it. */
+std::string
+explanation(const std::string &errors)
+{
+  if (errors.find("Unable to open file") == std::string::npos &&
+      errors.find("output file") == std::string::npos)
+    return "";
+  return " (a file that the geometry reads must exist, and it may not write "
+         "any: take out 'Save', 'Print' and 'Printf' to files)";
+}
+
+/** Run `action`; @throw std::runtime_error that gmsh cannot do `what`, where
+ * gmsh throws or logs errors. */
 template <typename Action>
 void
-guard(const std::string &what,
-      const std::string &file_name,
-      const Action &action)
+guard(const std::string &what, const Action &action)
 {
-  const CrashSentence crash("gmsh crashes when asked to " + what + " " +
-                            file_name +
-                            ": a number or a list in it may be too large.");
   const Log log;
   std::string errors;
   try
@@ -70,7 +75,8 @@ guard(const std::string &what,
       errors = message;
     }
   if (!errors.empty())
-    throw std::runtime_error("gmsh cannot " + what + ": " + errors);
+    throw std::runtime_error("gmsh cannot " + what + ": " + errors +
+                             explanation(errors));
 }
 
 bool
@@ -79,6 +85,17 @@ has_elements(const unsigned int dim)
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, dim);
   return !types.empty();
+}
+
+/** gmsh does not log errors where a file asks it not to. */
+void
+check_verbosity()
+{
+  double verbosity;
+  gmsh::option::getNumber("General.Verbosity", verbosity);
+  if (verbosity < 1)
+    throw std::runtime_error(
+      "the geometry hides gmsh's errors by 'General.Verbosity'; take that out");
 }
 } // namespace
 
@@ -102,7 +119,7 @@ GmshSession::~GmshSession()
 void
 GmshSession::open_mesh(const std::string &file_name)
 {
-  guard("read the file", file_name, [&]() { gmsh::open(file_name); });
+  guard("read the file", [&]() { gmsh::open(file_name); });
 }
 
 
@@ -112,14 +129,13 @@ GmshSession::open_geometry(const std::string &file_name, const unsigned int dim)
 {
   // The message that names the line is often not the first.
   gmsh::option::setNumber(on_error, go_on);
-  guard("read the file", file_name, [&]() { gmsh::open(file_name); });
+  guard("read the file", [&]() { gmsh::open(file_name); });
+  check_verbosity();
   // gmsh meshes in threads, out of which nothing can be thrown, and the file
   // may have changed the option.
   gmsh::option::setNumber(on_error, go_on);
   if (!has_elements(dim))
-    guard("mesh the geometry", file_name, [&]() {
-      gmsh::model::mesh::generate(dim);
-    });
+    guard("mesh the geometry", [&]() { gmsh::model::mesh::generate(dim); });
   gmsh::option::setNumber(on_error, stop);
 }
 } // namespace Setsudan

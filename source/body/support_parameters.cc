@@ -129,11 +129,11 @@ SupportParameters<dim>::SupportParameters(const Parameters &parameters,
     nodes.insert(
       node_of_word(parameters, "Support", "Fixed nodes", body, word));
   if (!nodes.empty())
-    supports.push_back({Region<dim>(nodes),
-                        std::bitset<dim>().set(),
-                        {},
-                        "Fixed nodes = " +
-                          parameters.text("Support", "Fixed nodes")});
+    supports.push_back(
+      {Region<dim>(nodes),
+       std::bitset<dim>().set(),
+       {},
+       "Fixed nodes = " + parameters.text("Support", "Fixed nodes")});
 }
 
 

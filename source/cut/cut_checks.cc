@@ -1,4 +1,5 @@
 #include <setsudan/body/geometry.h>
+#include <setsudan/body/joints.h>
 #include <setsudan/cut/cut_checks.h>
 #include <setsudan/cut/mesh_surgery.h>
 #include <setsudan/parameters/lists.h>
@@ -20,9 +21,18 @@ check_surface(const Parameters &parameters,
   const auto require = [&](const bool condition, const std::string &what) {
     parameters.require(condition, "Cut", "Surfaces", what);
   };
-  require(!surface.empty(),
-          "surfaces that pass between elements of the body, and '" + text +
-            "' touches no face of an element inside the body");
+  if (surface.empty())
+    {
+      std::string why;
+      for (const auto &joint : describe_joints(body, find_joints(body)))
+        why += "; " + joint;
+      // The sentence gets its full stop at its end.
+      if (!why.empty())
+        why.pop_back();
+      require(false,
+              "surfaces that pass between elements of the body, and '" + text +
+                "' touches no face of an element inside the body" + why);
+    }
   const auto branchings = find_branchings(body, surface);
   require(branchings.empty(),
           "surfaces with two sides, and '" + text +

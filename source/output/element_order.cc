@@ -5,26 +5,6 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-Edges
-vtk_edges()
-{
-  Edges edges = {{{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}};
-  if (dim == 3)
-    edges.insert(edges.end(),
-                 {{{4, 5}},
-                  {{5, 6}},
-                  {{6, 7}},
-                  {{7, 4}},
-                  {{0, 4}},
-                  {{1, 5}},
-                  {{2, 6}},
-                  {{3, 7}}});
-  return edges;
-}
-
-
-
-template <int dim>
 std::vector<double>
 coordinates(const std::vector<Point<dim>> &vectors)
 {
@@ -53,14 +33,10 @@ connectivity(const PieceMesh<dim> &piece,
 
 
 
-template Edges
-vtk_edges<2>();
 template std::vector<double>
 coordinates(const std::vector<Point<2>> &);
 template std::vector<std::size_t>
 connectivity(const PieceMesh<2> &, const Edges &, const std::size_t);
-template Edges
-vtk_edges<3>();
 template std::vector<double>
 coordinates(const std::vector<Point<3>> &);
 template std::vector<std::size_t>

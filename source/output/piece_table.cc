@@ -11,8 +11,7 @@ using namespace dealii;
 
 template <int dim>
 std::vector<PieceSummary<dim>>
-summarize_pieces(const Body<dim> &body,
-                 const std::vector<unsigned int> &pieces)
+summarize_pieces(const Body<dim> &body, const std::vector<unsigned int> &pieces)
 {
   std::vector<PieceSummary<dim>> summaries(
     *std::max_element(pieces.begin(), pieces.end()) + 1);

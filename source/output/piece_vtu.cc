@@ -40,7 +40,7 @@ grid_of_piece(const PieceMesh<dim> &piece)
   grid.point_data = {counted("node", piece.nodes.size()),
                      numbers("node_in_body", piece.numbers_in_body)};
   grid.cell_data  = {counted("element", piece.elements.size()),
-                    numbers("element_in_body", piece.elements_in_body)};
+                     numbers("element_in_body", piece.elements_in_body)};
   return grid;
 }
 

@@ -151,6 +151,21 @@ hexadecimal(const char *const format, const unsigned int number)
 
 
 
+std::string
+describe_character(const std::string &text, const std::size_t position)
+{
+  const Character character = decode(text, position);
+  if (character.size == 0)
+    return hexadecimal("the byte 0x%02X",
+                       static_cast<unsigned char>(text[position])) +
+           ", which is no text in UTF-8; save the file anew as that";
+  const auto alike = describe_alike(character.code);
+  return "the character " + hexadecimal("U+%04X", character.code) +
+         (alike ? ", " + *alike : "");
+}
+
+
+
 void
 check_characters(const std::string &text, const std::string &place)
 {
@@ -170,12 +185,8 @@ check_characters(const std::string &text, const std::string &place)
           continue;
         }
       const Character character = decode(text, position);
-      if (character.size == 0)
-        refuse(hexadecimal("the byte 0x%02X", byte) +
-               ", which is no text in UTF-8; save the file anew as that");
-      if (const auto description = describe_alike(character.code))
-        refuse("the character " + hexadecimal("U+%04X", character.code) + ", " +
-               *description);
+      if (character.size == 0 || describe_alike(character.code))
+        refuse(describe_character(text, position));
       position += character.size;
     }
 }

@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/body/joints.h>
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/row_state.h>
 #include <setsudan/solver/equilibrium_ladder.h>
@@ -45,6 +46,17 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
                ? "as Material/Formulation says."
                : "because Poisson's ratio is near 1/2 (Material/Formulation).");
   return line.str();
+}
+
+
+
+template <int dim>
+std::vector<std::string>
+describe_open_joints(const Scene<dim> &scene)
+{
+  if (scene.shape.open_joints == BodyParameters<dim>::OpenJoints::allow)
+    return {};
+  return describe_joints(scene.body, find_joints(scene.body));
 }
 
 
@@ -162,6 +174,10 @@ template std::string
 describe_body(const Scene<2> &, const CutBody<2> &);
 template std::string
 describe_body(const Scene<3> &, const CutBody<3> &);
+template std::vector<std::string>
+describe_open_joints(const Scene<2> &);
+template std::vector<std::string>
+describe_open_joints(const Scene<3> &);
 template std::string
 describe_cut(const CutBody<2> &, const unsigned int);
 template std::string

@@ -34,9 +34,9 @@ estimate_size(const BodyParameters<dim> &shape,
               const CutParameters<dim> &cut,
               const SolverParameters &solver)
 {
-  const auto mesh = shape.refined(body.box
-                                    ? size_of_box<dim>(body.box->n_elements)
-                                    : size_of_mesh(body.mesh));
+  const auto mesh =
+    shape.refined(body.box ? size_of_box<dim>(body.box->n_elements)
+                           : size_of_mesh(body.mesh));
   ModelSize size;
   size.n_cells = mesh.n_cells();
   // Of the children of a cell at a cut those of one side are at it.
@@ -47,13 +47,13 @@ estimate_size(const BodyParameters<dim> &shape,
       size.n_cells += (Utilities::pow(2, dim) - 1) * n_at_cuts;
       n_at_cuts *= Utilities::pow(2, dim - 1);
     }
-  size.n_unknowns = mesh.n_unknowns(shape.element_type) * size.n_cells /
-                    mesh.n_cells();
+  size.n_unknowns =
+    mesh.n_unknowns(shape.element_type) * size.n_cells / mesh.n_cells();
   const double most = std::numeric_limits<types::global_dof_index>::max();
-  size.bytes        = memory_of_model<dim>(
-    size.n_unknowns,
-    solver.is_direct(static_cast<types::global_dof_index>(
-      std::min(size.n_unknowns, most))));
+  size.bytes =
+    memory_of_model<dim>(size.n_unknowns,
+                         solver.is_direct(static_cast<types::global_dof_index>(
+                           std::min(size.n_unknowns, most))));
   return size;
 }
 
@@ -70,10 +70,10 @@ check_size(const Parameters &parameters,
   const bool is_refined = shape.refinement > 0;
   check_memory(parameters,
                is_near ? "Cut" : "Body",
-               is_near                                         ? "Refinement near cut"
-               : is_refined                                    ? "Refinement"
+               is_near      ? "Refinement near cut"
+               : is_refined ? "Refinement"
                : shape.shape == BodyParameters<dim>::Shape::box ? "Elements"
-                                                               : "File",
+                                                                : "File",
                size.n_cells,
                size.n_unknowns,
                size.bytes);

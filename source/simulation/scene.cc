@@ -1,9 +1,10 @@
+#include <filesystem>
+#include <numeric>
 #include <setsudan/body/geometry.h>
+#include <setsudan/elasticity/hinges.h>
 #include <setsudan/elasticity/rigid_modes.h>
 #include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/scene.h>
-#include <filesystem>
-#include <numeric>
 #include <sstream>
 
 namespace Setsudan
@@ -121,6 +122,12 @@ check_supports(const Parameters &parameters,
     "groups, boxes and nodes that hold the body; with these it is free to move "
     "rigidly in " +
       std::to_string(hold.size()) + (hold.size() == 1 ? " way" : " ways"));
+  if (const auto loose = describe_loose_part(body, supports))
+    parameters.reject("Support",
+                      given_support(parameters),
+                      "groups, boxes and nodes that hold every part of the "
+                      "body; " +
+                        *loose);
   if (const auto node = supports.find_contradiction())
     parameters.reject("Support",
                       "Displacements",

@@ -52,6 +52,8 @@ void
 Simulation<dim>::run()
 {
   recorder.progress.say(describe_body(scene, body));
+  for (const auto &joint : describe_open_joints(scene))
+    recorder.progress.warn(joint);
   bool goes_on = true;
   if (checkpoint)
     goes_on = resume();

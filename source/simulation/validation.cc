@@ -1,4 +1,4 @@
-#include <setsudan/body/joints.h>
+#include <setsudan/body/geometry.h>
 #include <setsudan/body/mesh_size.h>
 #include <setsudan/output/piece_table.h>
 #include <setsudan/parameters/lists.h>
@@ -75,12 +75,11 @@ describe_supports(const Scene<dim> &scene)
           if (support.region.contains(
                 scene.body, e, unit_point_of_node<dim>(n)))
             nodes.insert(scene.body.node_numbers[e][n]);
-      std::string line = "Support (" + support.text + "): " +
-                         counted(nodes.size(), "node") + " held along " +
-                         text_of_components<dim>(support.components);
+      std::string line =
+        "Support (" + support.text + "): " + counted(nodes.size(), "node") +
+        " held along " + text_of_components<dim>(support.components);
       if (support.displacement != Tensor<1, dim>())
-        line += " and moved by " +
-                text_of(Point<dim>(support.displacement));
+        line += " and moved by " + text_of(Point<dim>(support.displacement));
       lines.push_back(line + ".");
     }
   return lines;
@@ -182,9 +181,7 @@ make_cut(const Scene<dim> &scene,
 
 template <int dim>
 Validation
-validate(const Scene<dim> &scene,
-         const Parameters &parameters,
-         const MPI_Comm communicator)
+validate(const Scene<dim> &scene, const MPI_Comm communicator)
 {
   Validation validation;
   auto &lines       = validation.lines;
@@ -192,7 +189,8 @@ validate(const Scene<dim> &scene,
     lines.insert(lines.end(), more.begin(), more.end());
   };
   lines = {describe_size(scene), describe_groups(scene.body)};
-  append(open_joints(parameters, scene.shape, scene.body));
+  for (const auto &joint : describe_open_joints(scene))
+    lines.push_back("Warning: " + joint);
   append(describe_supports(scene));
   append(describe_loads(scene));
   CutBody<dim> body(scene, Refinement(), communicator);
@@ -215,7 +213,7 @@ validate(const Scene<dim> &scene,
 
 
 template Validation
-validate(const Scene<2> &, const Parameters &, const MPI_Comm);
+validate(const Scene<2> &, const MPI_Comm);
 template Validation
-validate(const Scene<3> &, const Parameters &, const MPI_Comm);
+validate(const Scene<3> &, const MPI_Comm);
 } // namespace Setsudan

@@ -36,9 +36,7 @@ name_of(const Group &group)
 /** Which nodes are in each group; of groups of elements, which elements. */
 template <int dim>
 void
-add_groups(const Scene<dim> &scene,
-           const PieceMesh<dim> &nodes,
-           VtuGrid &grid)
+add_groups(const Scene<dim> &scene, const PieceMesh<dim> &nodes, VtuGrid &grid)
 {
   for (const auto &group : scene.body.groups)
     if (group.dimension == dim)
@@ -108,21 +106,18 @@ validation_grid(const Scene<dim> &scene, const Validation &validation)
     scene.body);
   const PieceMesh<dim> &nodes = whole.front();
   VtuGrid grid                = grid_of_piece(nodes);
-  grid.point_data.push_back(
-    at_nodes("support",
-             nodes,
-             0,
-             [&](const unsigned int cell, const Point<dim> &point) {
-               return scene.supports.at(cell, point).components.to_ulong();
-             }));
+  grid.point_data.push_back(at_nodes(
+    "support", nodes, 0, [&](const unsigned int cell, const Point<dim> &point) {
+      return scene.supports.at(cell, point).components.to_ulong();
+    }));
   add_groups(scene, nodes, grid);
   add_rows(scene, validation, nodes, grid);
   grid.cell_data.push_back(cut_faces(scene));
-  grid.cell_data.push_back({"piece",
-                            1,
-                            std::vector<std::int32_t>(
-                              validation.pieces.begin(),
-                              validation.pieces.end())});
+  grid.cell_data.push_back(
+    {"piece",
+     1,
+     std::vector<std::int32_t>(validation.pieces.begin(),
+                               validation.pieces.end())});
   return grid;
 }
 

@@ -130,13 +130,31 @@ void
 test_numbers()
 {
   auto mesh               = two_cubes();
+  mesh.nodes[90]          = {{7., 7., 7.}};
   mesh.nodes[100]         = {{7., 7., 7.}};
   mesh.elements[0].number = 9;
-  print_numbers(read_gmsh_file<3>(write_text("numbers.msh", mesh.text())));
+  const auto body = read_gmsh_file<3>(write_text("numbers.msh", mesh.text()));
+  print_numbers(body);
+  std::cout << "nodes of no element:";
+  for (const unsigned int number : body.unused_nodes)
+    std::cout << " " << number;
+  std::cout << std::endl;
   auto squares = two_squares();
   print_numbers(read_gmsh_file<2>(write_text("numbers.msh", squares.text())));
   squares.make_quadratic(50);
   print_numbers(read_gmsh_file<2>(write_text("numbers.msh", squares.text())));
+}
+
+
+/** Line ends of Windows. */
+void
+test_line_ends()
+{
+  std::string text;
+  for (const char c : two_cubes().text())
+    text += c == '\n' ? "\r\n" : std::string(1, c);
+  print_size("line ends of Windows",
+             read_gmsh_file<3>(write_text("windows.msh", text)));
 }
 
 
@@ -154,5 +172,6 @@ main(int argc, char **argv)
     test_directions<3>(
       two_cubes(), {1, 5, 6, 2, 4, 8, 7, 3}, {6, 10, 11, 7, 5, 9, 12, 8});
     test_numbers();
+    test_line_ends();
   });
 }

@@ -2,6 +2,7 @@
 
 #include <setsudan/body/gmsh_file.h>
 
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -14,11 +15,12 @@ using namespace dealii;
 
 template <int dim = 3>
 void
-refuse(const std::string &file_name)
+refuse(const std::string &file_name,
+       const double time_limit = std::numeric_limits<double>::infinity())
 {
   try
     {
-      read_gmsh_file<dim>(file_name);
+      read_gmsh_file<dim>(file_name, time_limit);
       std::cout << "FAILED: accepted" << std::endl;
     }
   catch (const std::runtime_error &error)
@@ -86,6 +88,12 @@ test_sections()
   refuse_text(replace(text, "1 5 2", "2 5 2"));
   refuse_text(replace(text, "\n8 0", "\n7 0"));
   refuse_text(replace(text, "\n3 1 \"", "\n4 1 \""));
+  // What is left over, or there again, gmsh would not read.
+  refuse_text(replace(text, "$Nodes\n12", "$Nodes\n11"));
+  refuse_text(replace(text, "$Elements\n2", "$Elements\n1"));
+  refuse_text(text + text);
+  refuse_text(text + text.substr(text.find("$Elements")));
+  refuse_text(text + "$PhysicalNames\n0\n$EndPhysicalNames\n");
 }
 
 
@@ -112,6 +120,63 @@ test_sections_of_version_4()
   refuse_text(replace(text, "1 1 1 1", "1 2 1 1"));
   refuse_text(replace(text, "6 7 8\n$", "6 7 9\n$"));
   refuse_text(replace(text, "6 7 8\n$", "6 7 4000000000\n$"));
+  refuse_text(replace(text, "6 7 8\n$", "6 7 8 9\n$"));
+  refuse_text(replace(text, "0 1 1\n$", "0 1 1\n5\n$"));
+  refuse_text(replace(text, "1 1 1 1", "0 0 1 1"));
+}
+
+
+/** The same numbers in binary, as Number. */
+template <typename Number>
+std::string
+bytes_of(const std::vector<Number> &numbers)
+{
+  return {reinterpret_cast<const char *>(numbers.data()),
+          numbers.size() * sizeof(Number)};
+}
+
+
+/** Four nodes and no more are announced, in a binary file of version 2.2. */
+void
+test_binary_sections()
+{
+  std::string nodes;
+  for (int node = 1; node <= 5; ++node)
+    nodes += bytes_of<int>({node}) + bytes_of<double>({1. * node, 0, 0});
+  refuse_text("$MeshFormat\n2.2 1 8\n" + bytes_of<int>({1}) +
+              "\n$EndMeshFormat\n$Nodes\n4\n" + nodes +
+              "\n$EndNodes\n$Elements\n0\n$EndElements\n");
+}
+
+
+/** Text that looks right. */
+void
+test_characters()
+{
+  const std::string text = two_cubes().text();
+  const std::string node = "\n2 1 0 0\n";
+  for (const std::string number :
+       {"1,0", "1.0D+00", "\u22121", "1\u00A0", "nan", "1e400", "one"})
+    refuse_text(replace(text, node, "\n2 " + number + " 0 0\n"));
+  refuse_text(replace(text, "1 5 2", "1 5 \u0662"));
+  refuse_text("\xEF\xBB\xBF" + text);
+  std::string returns = text;
+  std::replace(returns.begin(), returns.end(), '\n', '\r');
+  refuse_text(returns);
+  std::string wide;
+  for (const char c : text)
+    wide += {c, '\0'};
+  refuse_text(wide);
+  refuse_text("\xFF\xFE" + wide);
+
+  refuse(write_text("wrong.geo", "// A minus: \u2212\nx = \u22121;\n"));
+  refuse(
+    write_text("wrong.geo", "/* \u2212\n*/ s = \"\u2212\"; x = \u201Ca\";\n"));
+  refuse(write_text("wrong.geo", "x = 1; \xE4 = 2;\n"));
+  refuse(write_text("wrong.geo", "x = 1;\n// note\rx = 2;\n"));
+  refuse(write_text("wrong.geo", "// note\rx = 2;\r"));
+  refuse(write_text("wrong.geo", "\xFE\xFF// wide"));
+  refuse(write_text("wrong.geo", "x = 1.0D+00;\n"));
 }
 
 
@@ -130,6 +195,42 @@ test_geometries()
   refuse<2>(
     write_text("wrong.geo", "Point(1) = {0, 0, 0};\n" + cube + "Mesh 3;\n"));
   refuse<2>(write_text("wrong.geo", "Point(1) = {0, 0, 0};\n" + cube));
+}
+
+
+/** A geometry is a program. What it may not do leaves no trace. */
+void
+test_commands()
+{
+  const std::string cube  = "Point(1) = {0, 0, 0};\n"
+                            "p[] = Extrude {1, 0, 0} { Point{1}; Layers{1}; };\n"
+                            "l[] = Extrude {0, 1, 0} { Line{p[1]}; Layers{1}; "
+                            "Recombine; };\n"
+                            "Extrude {0, 0, 1} { Surface{l[1]}; Layers{1}; "
+                            "Recombine; }\n";
+  const std::string shell = "SystemCall \"touch left_behind\";\n";
+  write_text("included.geo", shell);
+  for (const std::string &command :
+       {shell,
+        "NonBlocking" + shell,
+        "Macro Call_it\n" + shell + "Return\nCall Call_it;\n",
+        std::string("Include \"included.geo\";\n"),
+        std::string("Printf(\"text\") > \"left_behind\";\n"),
+        std::string("Mesh 3;\nSave \"left_behind\";\n"),
+        std::string("Print \"left_behind.msh\";\n"),
+        std::string("Merge \"missing.geo\";\n"),
+        std::string("General.Verbosity = 0;\nSave \"left_behind\";\n"),
+        std::string("Mesh 3;\nExit;\n")})
+    refuse(write_text("command.geo", cube + command));
+  refuse(write_text("command.geo",
+                    cube + "Macro Endless\nCall Endless;\nReturn\n"
+                           "Call Endless;\n"),
+         0.5);
+  read_gmsh_file<3>(
+    write_text("command.geo", cube + "CreateDir \"left_behind\";\n"));
+  for (const std::string file : {"left_behind", "left_behind.msh"})
+    if (std::filesystem::exists(file))
+      std::cout << "FAILED: " << file << std::endl;
 }
 
 
@@ -177,6 +278,38 @@ test_nodes()
     mesh.elements[0].nodes[12] = mesh.elements[0].nodes[13];
   });
   refuse_mesh<2>(two_squares(), [](TextMesh &mesh) { mesh.nodes[6][2] = 0.1; });
+  refuse_mesh(two_cubes(), [](TextMesh &mesh) {
+    mesh.nodes[0]             = mesh.nodes[12];
+    mesh.elements[1].nodes[7] = 0;
+  });
+  refuse_mesh(two_cubes(), [](TextMesh &mesh) { mesh.elements[0].number = 0; });
+}
+
+
+/** Middle nodes that are on their lines, but not in the middle of them. */
+void
+test_middle_nodes()
+{
+  for (const double place : {0.25, 0.75, 0.2})
+    refuse_mesh(two_cubes(), [&](TextMesh &mesh) {
+      mesh.make_quadratic(20);
+      mesh.nodes[22][2] = place;
+    });
+  // As VTK lists them: first around the bottom and the top.
+  refuse_mesh(two_cubes(), [](TextMesh &mesh) {
+    mesh.make_quadratic(20);
+    for (auto &element : mesh.elements)
+      {
+        const auto gmsh = element.nodes;
+        for (unsigned int i = 0; i < 12; ++i)
+          for (unsigned int j = 0; j < 12; ++j)
+            {
+              const auto vtk = vtk_edges<3>()[i], own = gmsh_edges<3>()[j];
+              if (std::minmax(vtk[0], vtk[1]) == std::minmax(own[0], own[1]))
+                element.nodes[8 + i] = gmsh[8 + j];
+            }
+      }
+  });
 }
 
 
@@ -293,9 +426,13 @@ main(int argc, char **argv)
     test_files();
     test_sections();
     test_sections_of_version_4();
+    test_binary_sections();
+    test_characters();
     test_geometries();
+    test_commands();
     test_types();
     test_nodes();
+    test_middle_nodes();
     test_shapes();
     test_neighbors();
     test_groups();

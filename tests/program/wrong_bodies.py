@@ -62,6 +62,24 @@ $Elements
 $EndElements
 """
 
+# A square and no hexahedra, as gmsh saves a cube of which only a surface is in a
+# physical group.
+SURFACE = INVERTED.replace("1 5 2 1 1 2 1 3 4 5 6 7 8", "1 3 2 1 1 1 2 3 4")
+
+# Two blocks, one on the other, that do not share the face between them.
+TOUCHING = """
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 1, 1, 1};
+Box(2) = {0, 0, 1, 1, 1, 1};
+Transfinite Curve{:} = 3;
+Transfinite Surface{:};
+Recombine Surface{:};
+Transfinite Volume{:};
+ground() = Surface In BoundingBox{-1, -1, -0.1, 2, 2, 0.1};
+Physical Volume("blocks", 1) = {1, 2};
+Physical Surface("ground", 2) = {ground()};
+"""
+
 FILE_SCENE = {
     **SCENE,
     "Body/Shape": "file",
@@ -87,9 +105,16 @@ def crash(name, text):
                 ["gmsh crashes when asked to read the file " + name], 4 << 30)
 
 
-def wrong_on_block(path, value, allowed, geometry=GEOMETRY):
+def endless(name, text):
+    """A geometry that gmsh never finishes."""
+    case = wrong_value("Body/File", name, "within the 0.5 s of Body/Meshing time",
+                       FILE_SCENE, {"Body/Meshing time": "0.5"})
+    return case._replace(files={**case.files, name: GEOMETRY + text})
+
+
+def wrong_on_block(path, value, allowed, geometry=GEOMETRY, **also):
     """A value that does not go with the block."""
-    case = wrong_value(path, value, allowed, FILE_SCENE)
+    case = wrong_value(path, value, allowed, FILE_SCENE, also)
     return case._replace(files={**case.files, "body.geo": geometry})
 
 
@@ -109,7 +134,32 @@ CASES = [
     wrong_file("tetrahedra.geo", GEOMETRY.replace("Recombine;", ""), ""),
     wrong_file("body.txt", GEOMETRY, ""),
     wrong_file("open_loop.geo", OPEN_LOOP, "gmsh cannot mesh the geometry"),
+    wrong_file("command.geo", GEOMETRY + 'SystemCall "touch left_behind";\n',
+               "runs a command by 'SystemCall'"),
+    wrong_file("writes.geo", GEOMETRY + 'Printf("text") > "left_behind";\n',
+               "Unable to open file 'left_behind'"),
+    wrong_file("saves.geo", GEOMETRY + 'Mesh 3;\nSave "left_behind.msh";\n',
+               "it may not write any"),
+    wrong_file("exit.geo", GEOMETRY + "Mesh 3;\nExit;\n", "by 'Exit'"),
+    endless("endless.geo", "Macro Endless\nCall Endless;\nReturn\nCall Endless;\n"),
+    endless("loop.geo", "For i In {1:1}\n  i = 0;\nEndFor\n"),
+    wrong_file("surface.msh", SURFACE, "give the geometry a Physical Volume"),
+    wrong_file("twice.msh", INVERTED + INVERTED, "more than one section $MeshFormat"),
+    wrong_file("left_over.msh", INVERTED.replace("$Nodes\n8", "$Nodes\n7"),
+               "section $Nodes has more numbers than it announces (left_over.msh:13:1)"),
+    wrong_file("comma.msh", INVERTED.replace("2 1 0 0", "2 1,0 0 0"),
+               "(comma.msh:7:3); decimals stand behind a point"),
+    wrong_file("minus.geo", GEOMETRY.replace("0, 0, 2", "0, 0, \u22122"),
+               "minus.geo:5:22: there is the character U+2212"),
     crash("long_list.geo", GEOMETRY + "Transfinite Curve{9:1e9} = 3;\n"),
+    wrong_on_block("Body/Open joints", "refuse",
+                   "The 2 parts of the body touch at 9 places without being joined",
+                   TOUCHING),
+    wrong_on_block("Body/Open joints", "maybe", "warn, refuse, allow"),
+    wrong_on_block("Body/Meshing time", "0", "a time greater than 0"),
+    wrong_on_block("Support/Fixed faces", "ground",
+                   "the part of 8 elements around (0.5, 0.5, 1.5) is not joined to any",
+                   TOUCHING, **{"Cut/Surfaces": "plane: 0.5, 0, 0; 1, 0, 0"}),
     wrong_on_block("Support/Fixed faces", "floor",
                    '"ground" (2, faces), "lid" (3, faces), "block" (1, elements)'),
     wrong_on_block("Material/Young's modulus", "5; ground: 2", "'ground' is none"),

@@ -41,6 +41,10 @@ struct Body
 
   bool
   has_node(const unsigned int number) const;
+
+  /** The number of the node that a vertex is. */
+  unsigned int
+  node_of_vertex(const unsigned int vertex) const;
 };
 
 /** A box from the origin to `size`. Its groups are its faces: left and right

@@ -20,10 +20,21 @@ struct BodyParameters
     file
   };
 
+  /** What is done about parts that touch without being joined. */
+  enum class OpenJoints
+  {
+    warn,
+    refuse,
+    allow
+  };
+
   Shape shape;
   dealii::Point<dim> size;
   typename BoxNumbering<dim>::Indices n_elements;
   std::string file;
+  /** How long gmsh may take, in seconds. */
+  double meshing_time;
+  OpenJoints open_joints;
   Transformation<dim> transformation;
   /** How often all elements are halved along each axis. */
   unsigned int refinement;

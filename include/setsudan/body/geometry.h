@@ -63,7 +63,8 @@ template <int dim>
 double
 volume_of_element(const ElementNodes<dim> &nodes);
 
-/** The integral of the position over an element: over its volume, its centre. */
+/** The integral of the position over an element: over its volume, its centre.
+ */
 template <int dim>
 dealii::Tensor<1, dim>
 first_moment_of_element(const ElementNodes<dim> &nodes);

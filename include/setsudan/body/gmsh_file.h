@@ -2,6 +2,7 @@
 
 #include <setsudan/body/body.h>
 
+#include <limits>
 #include <string>
 
 namespace Setsudan
@@ -16,12 +17,15 @@ namespace Setsudan
  *
  * Elements come in the order of their numbers in the file, nodes keep theirs;
  * the middle nodes that 8-node elements do not have get numbers behind the
- * largest of the elements' nodes. Physical groups become the body's groups.
+ * largest of the file. Physical groups become the body's groups.
  *
+ * @param time_limit of gmsh, in seconds.
  * @throw std::runtime_error with a sentence that says what is wrong with the
  * file and where.
  */
 template <int dim>
 Body<dim>
-read_gmsh_file(const std::string &file_name);
+read_gmsh_file(
+  const std::string &file_name,
+  const double time_limit = std::numeric_limits<double>::infinity());
 } // namespace Setsudan

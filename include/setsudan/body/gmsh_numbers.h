@@ -1,10 +1,25 @@
 #pragma once
 
+#include <setsudan/body/text_file.h>
+
 #include <string>
 #include <string_view>
 
 namespace Setsudan
 {
+/** A part of a mesh file, from `$Name` to `$EndName`. */
+struct GmshSection
+{
+  std::string name;
+  /** All between the two, a part of the file's text. */
+  std::string_view content;
+  const TextFile *file;
+
+  /** Where it begins, for messages. */
+  std::string
+  place() const;
+};
+
 /**
  * Reads the numbers of a section of a mesh file, one behind the other, in text
  * or binary. All functions throw std::runtime_error where the section ends too
@@ -13,10 +28,9 @@ namespace Setsudan
 class GmshNumbers
 {
 public:
-  /** @param content all between the section's markers; it must live on.
+  /** @param section must live on, with its file.
    * @param n_bytes of a count or number in binary sections, 4 or 8. */
-  GmshNumbers(const std::string &section,
-              const std::string_view &content,
+  GmshNumbers(const GmshSection &section,
               const bool is_binary,
               const unsigned int n_bytes);
 
@@ -33,8 +47,13 @@ public:
   int
   read_integer();
 
+  /** Read over numbers, which must be finite in text. */
   void
   skip_reals(const std::size_t n);
+
+  /** Check that nothing is left: gmsh would not read it. */
+  void
+  expect_end();
 
   [[noreturn]] void
   throw_damaged(const std::string &how) const;
@@ -48,14 +67,21 @@ private:
   Number
   read_text();
 
+  /** Move to the next word, if there is one. */
+  void
+  skip_spaces();
+
   /** Move behind the next word, and return it. */
   std::string_view
   read_word();
 
+  [[noreturn]] void
+  throw_no_number(const std::string_view &word, const std::string &what) const;
+
   void
   skip_bytes(const std::size_t n);
 
-  const std::string section;
+  const GmshSection &section;
   const std::string_view content;
   const bool is_binary;
   const unsigned int n_bytes;

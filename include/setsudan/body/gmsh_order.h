@@ -16,6 +16,11 @@ template <int dim>
 Edges
 gmsh_edges();
 
+/** VTK's order of the mid-side nodes, and that of Abaqus and CalculiX. */
+template <int dim>
+Edges
+vtk_edges();
+
 /** For each node of an element whose mid-side nodes lie on `edges`, one behind
  * the other, its number in ours (see nodes.h). */
 template <int dim>

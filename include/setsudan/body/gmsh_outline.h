@@ -22,6 +22,9 @@ struct GmshOutline
   bool is_geometry;
   /** "2.2" or "4.1". */
   std::string version;
+  /** The numbers of all nodes, ascending. gmsh forgets those of no element, or
+   * does not, as files differ. */
+  std::vector<unsigned int> node_numbers;
   /** gmsh's types of all elements. */
   std::set<int> element_types;
   std::vector<GroupName> group_names;

@@ -1,15 +1,17 @@
 #pragma once
 
+#include <setsudan/body/gmsh_numbers.h>
+
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace Setsudan
 {
 // gmsh 4.8 trusts the counts and numbers in a mesh file: where they are wrong,
-// it crashes, or takes a node for another. These functions walk through a
-// section as gmsh will, and throw std::runtime_error where it must not.
+// it crashes, takes a node for another, or leaves out what is behind. These
+// functions walk through a section as gmsh will, and throw std::runtime_error
+// where it must not.
 
 /**
  * Check a section $Nodes: it is complete, and its nodes' numbers are within
@@ -19,7 +21,7 @@ namespace Setsudan
  */
 std::vector<unsigned int>
 check_nodes_section(const std::string &version,
-                    const std::string_view &content,
+                    const GmshSection &section,
                     const bool is_binary);
 
 /**
@@ -31,7 +33,7 @@ check_nodes_section(const std::string &version,
  */
 std::set<int>
 check_elements_section(const std::string &version,
-                       const std::string_view &content,
+                       const GmshSection &section,
                        const bool is_binary,
                        const std::vector<unsigned int> &nodes);
 } // namespace Setsudan

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <setsudan/body/entity_key.h>
 
 #include <string>
@@ -22,6 +26,13 @@ struct Group
   std::vector<unsigned int> cells;
   /** The faces, lines or vertices otherwise, in vertices of the uncut body. */
   std::vector<EntityKey> entities;
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &name &number &dimension &cells &entities;
+  }
 };
 
 /** The groups that have a word as their name, or as their number. */

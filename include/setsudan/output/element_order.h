@@ -9,11 +9,6 @@
 
 namespace Setsudan
 {
-/** VTK's order of the mid-side nodes. */
-template <int dim>
-Edges
-vtk_edges();
-
 /** The components of vectors one behind the other, always three each. */
 template <int dim>
 std::vector<double>

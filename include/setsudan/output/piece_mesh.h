@@ -1,10 +1,10 @@
 #pragma once
 
+#include <array>
 #include <setsudan/body/body.h>
 #include <setsudan/elasticity/elastic_model.h>
 #include <setsudan/output/output_directory.h>
 #include <setsudan/output/vtu.h>
-#include <array>
 #include <string>
 #include <vector>
 

@@ -21,6 +21,11 @@ read_text_lines(const std::string &file_name,
 std::string
 without_comment(const std::string &line);
 
+/** A character that is not of ASCII, by its code: what it looks like, if that
+ * is something else, or that its bytes are no UTF-8. */
+std::string
+describe_character(const std::string &text, const std::size_t position);
+
 /**
  * Refuse characters that look like what a scene means and are something else,
  * as word processors and web pages put them: typographic minus signs, quotes

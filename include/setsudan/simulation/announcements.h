@@ -15,6 +15,12 @@ template <int dim>
 std::string
 describe_body(const Scene<dim> &scene, const CutBody<dim> &body);
 
+/** Where the body touches itself without being joined, unless the scene allows
+ * that. */
+template <int dim>
+std::vector<std::string>
+describe_open_joints(const Scene<dim> &scene);
+
 /** The newest cut. */
 template <int dim>
 std::string

@@ -31,9 +31,7 @@ struct Validation
  */
 template <int dim>
 Validation
-validate(const Scene<dim> &scene,
-         const Parameters &parameters,
-         const MPI_Comm communicator);
+validate(const Scene<dim> &scene, const MPI_Comm communicator);
 
 /** The body at rest with what was selected as fields: groups, supports, cuts,
  * their rows, and pieces. */
