@@ -123,11 +123,11 @@ memory_of_model(const double n_unknowns, const bool is_direct)
 std::string
 text_of_memory(const double bytes)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2g GB", bytes / 1e9);
-  return bytes < 1e11
-           ? text
-           : std::to_string(static_cast<long long>(bytes / 1e9)) + " GB";
+  const auto in = [&](const double unit, const char *const name) {
+    return std::to_string(static_cast<long long>(std::ceil(bytes / unit))) +
+           name;
+  };
+  return bytes < 1e9 ? in(1e6, " MB") : in(1e9, " GB");
 }
 
 

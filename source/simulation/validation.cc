@@ -7,6 +7,7 @@
 #include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/validation.h>
 
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -114,6 +115,19 @@ rows_of_nodes(const Seam<dim> &seam)
   return rows;
 }
 
+/** A vector with the digits that a person reads. */
+template <int dim>
+std::string
+rounded(const Tensor<1, dim> &vector, const double size)
+{
+  std::ostringstream text;
+  text.precision(5);
+  for (unsigned int c = 0; c < dim; ++c)
+    text << (c == 0 ? "(" : ", ")
+         << (std::abs(vector[c]) < 1e-9 * size ? 0. : vector[c]);
+  return text.str() + ")";
+}
+
 /** The pieces, as a list. */
 template <int dim>
 std::vector<std::string>
@@ -128,11 +142,10 @@ describe_pieces(const Scene<dim> &scene, const CutBody<dim> &body)
       line << "  piece " << p << ": "
            << counted(summaries[p].n_elements, "element") << ", volume "
            << summaries[p].volume << ", centre "
-           << text_of(summaries[p].center);
-      if (scene.loads.body_force != Tensor<1, dim>())
-        line << ", weight "
-             << text_of(
-                  Point<dim>(summaries[p].volume * scene.loads.body_force));
+           << rounded<dim>(summaries[p].center, scene.body.mesh.extent());
+      const auto weight = summaries[p].volume * scene.loads.body_force;
+      if (weight.norm() > 0)
+        line << ", weight " << rounded<dim>(weight, weight.norm());
       lines.push_back(line.str() + ".");
     }
   return lines;
@@ -156,7 +169,9 @@ make_cut(const Scene<dim> &scene,
       return;
     }
   validation.rows.back() = rows_of_nodes(body.seam());
-  lines.push_back(describe_cut(body, cut));
+  lines.push_back(
+    describe_cut(body, cut) + " It opens " +
+    counted(scene.cut.cuts[cut].surface.faces.size(), "element face") + ".");
   body.open();
   const unsigned int n_before = body.n_pieces();
   for (unsigned int row = 0; row < body.seam().rows().size(); ++row)

@@ -46,7 +46,7 @@ template <int dim>
 double
 memory_of_model(const double n_unknowns, const bool is_direct);
 
-/** Bytes in words: "1.5 GB". */
+/** Bytes in words: "15 GB". */
 std::string
 text_of_memory(const double bytes);
 
