@@ -51,6 +51,20 @@ def blocks(path):
             next(lines)
 
 
+def group_size(path, dimension, name):
+    """The number of elements of a group in a file of version 4.1."""
+    text = path.read_text()
+    group = re.search(rf'^{dimension} (\d+) "{name}"$', text, re.M).group(1)
+    lines = text.partition("$Entities\n")[2].splitlines()
+    counts = [int(word) for word in lines[0].split()]
+    begin = 1 + sum(counts[:dimension])
+    entities = [line.split() for line in lines[begin : begin + counts[dimension]]]
+    members = {int(words[0]) for words in entities
+               if group in words[8 : 8 + int(words[7])]}
+    return sum(number for size, entity, _, number in blocks(path)
+               if size == dimension and entity in members)
+
+
 def pieces_of(directory):
     """Numbers of elements of the pieces."""
     for path in sorted(results_of(directory).glob("piece_*.msh")):
