@@ -1,7 +1,7 @@
 """J. A body far from the origin, as in map coordinates, has the forces, energies and
 displacements that it has at the origin; tests/readers looks at its frames.
 
-usage: far.py PROGRAM
+usage: far.py PROGRAM [MPIEXEC]
 """
 
 from cases import changed, folder, main
@@ -56,6 +56,13 @@ def by_a_plane(place):
     yield from compare(place, "scene.prm", "by_plane.prm")
 
 
+def on_two_processes(place):
+    """The body at map coordinates on 2 processes."""
+    yield from ends_well(place.start("scene.prm", "--output", "one"))
+    yield from ends_well(place.start("scene_far.prm", "--output", "two", processes=2))
+    yield from same_columns(place.table("one"), place.table("two"), COLUMNS, 1e-6)
+
+
 def a_piece(place):
     """A piece of the far body, brought back to the origin."""
     yield from ends_well(place.start("scene_far.prm", "--output", "cut"))
@@ -84,4 +91,5 @@ FILES = {
 
 if __name__ == "__main__":
     main(stories=[(story, FILES) for story in (
-        in_map_coordinates, refined, in_the_plane, by_a_plane, a_piece)])
+        in_map_coordinates, refined, in_the_plane, by_a_plane, on_two_processes,
+        a_piece)])
