@@ -39,7 +39,7 @@ def fixed(bounds, height, scene=None, **more):
 def nothing(bounds, scene=None, **more):
     values = {**(scene or BAR), "Support/Fixed boxes": bounds, **more}
     return refused(f"Fixed boxes = {bounds}{more or ''}", box(values),
-                   "'Fixed boxes'", "no node")
+                   "'Fixed boxes'", "nodes", "none")
 
 
 def rows(name, number, scale, extent, **more):
@@ -54,7 +54,7 @@ def rows(name, number, scale, extent, **more):
 
 def empty(extent, scene=None, **more):
     values = {**(scene or BLOCK), "Cut/Extent": extent, **more}
-    return refused(f"Extent = {extent}", box(values), "Cut, 'Extent'", "no face")
+    return refused(f"Extent = {extent}", box(values), "Cut, 'Extent'", "no element face")
 
 
 SCALES = (1, 0.1, 0.3, 0.7, 1e-6, 1e6)
@@ -62,11 +62,11 @@ SCALES = (1, 0.1, 0.3, 0.7, 1e-6, 1e6)
 HALF = (0, 0, 2.5, 4, 4, 4)
 CASES = [
     right("the layer at 2*(0.3/3)", FOLDER, event("deform", max_displacement=0.01)),
-    refused("a box beside the body", FOLDER, "'Fixed boxes'", "no node",
+    refused("a box beside the body", FOLDER, "'Fixed boxes'", "nodes", "none",
             scene="scene_nowhere.prm"),
     refused("a box between the layers", changed(
         FOLDER, "scene.prm", ("0.2, 0.3, 0.3, 0.2", "0.21, 0.3, 0.3, 0.24")),
-            "'Fixed boxes'", "no node"),
+            "'Fixed boxes'", "nodes", "none"),
     fixed("0, 0, 0, 1, 1, 0.3 : xyz", 0.3),
     fixed("0, 0, 0.3, 1, 1, 0.3 : xyz", 0.3),
     fixed("0, 0, 0.6, 1, 1, 0.7 : xyz", 0.7),
@@ -77,8 +77,8 @@ CASES = [
     fixed("0, 0.3, 1, 0.3 : xy", 0.3, SHEET),
     fixed("-9, -9, 1.2, 9, 9, 1.2 : xyz", 0.3,
           **{"Body/Translate": "0.1, 0.2, 0.9", "Support/Fixed faces": "bottom"}),
-    fixed("-1, 0.3, 0, 0, 0.3, 1 : xyz", 0.3, **{"Body/Rotate": "x: -90; z: 180"}),
-    fixed("0, 0, 0.09, 0.1, 0.1, 0.09 : xyz", 0.3, **{
+    fixed("-1, -0.3, -1, 0, -0.3, 0 : xyz", 0.3, **{"Body/Rotate": "x: -90; z: 180"}),
+    fixed("0, 0, 0.09, 0.3, 0.3, 0.09 : xyz", 0.3, **{
         "Body/Scale": "0.3", "Load/Pressures": "top: -0.33333333333333333"}),
     nothing("20, 20, 20, 30, 30, 30 : xyz"),
     nothing("0, 0, 0.31, 1, 1, 0.34 : xyz"),

@@ -8,7 +8,7 @@ usage: expressions.py PROGRAM
 import re
 
 from cases import box, changed, folder, main, refused, right
-from checks import pieces
+from checks import lacks, pieces
 
 FOLDER = folder("comma_in_expression")
 PLATE = {
@@ -19,8 +19,7 @@ PLATE = {
 }
 PLANE = {**PLATE, "Dimension": "2", "Body/Size": "4, 4", "Body/Elements": "4, 4",
          "Support/Fixed faces": "left", "Blade/Direction": "0, -1"}
-HINT = re.compile(r"f\(x, ?y, ?z\) that is 0 on the cut")
-PLANE_HINT = re.compile(r"f\(x, ?y\) that is 0 on the cut")
+HINT = "that is 0 on the cut"
 COMMA = re.compile(r"comma|','")
 
 
@@ -31,7 +30,8 @@ def cut(expression, scene=None, **more):
 
 
 def wrong(expression, *words, scene=None):
-    return refused(*cut(expression, scene).values(), "Cut, 'Surfaces'", expression, *words)
+    return refused(*cut(expression, scene).values(), "Cut, 'Surfaces'", expression,
+                   lacks(r"\.\.$"), *words)
 
 
 def comma(expression, scene=None):
@@ -39,7 +39,7 @@ def comma(expression, scene=None):
 
 
 def equation(expression, scene=None):
-    return wrong(expression, PLANE_HINT if scene else HINT, scene=scene)
+    return wrong(expression, HINT, scene=scene)
 
 
 def fine(expression, *expected, scene=None, **more):
@@ -76,14 +76,14 @@ CASES = [
     equation("x > 1 && y > 2"),
     equation("x > 1 || y > 2"),
     equation("x += 2"),
-    equation("x > 2 and y > 2"),
     equation("y == 2", scene=PLANE),
     equation("x = 2", scene=PLANE),
     # What is no expression at all.
     wrong("y -"),
     wrong("2y - 4"),
     wrong("y - 2 = 0"),
-    wrong("y − 2", "U+2212"),
+    wrong("x > 2 and y > 2"),
+    refused(*cut("y − 2").values(), "scene.prm:14:26: ", "U+2212"),
     wrong("sqrt(y - 2"),
     wrong("max()"),
     # What is right.

@@ -98,11 +98,11 @@ CASES = [
     # What is ambiguous.
     refused("a name and a number of faces", block(
         by_number("2", "5"), body(*NAMED, f"Surface(2) = {LID}", "Surface(5) = {v[2]}")),
-            "Support, 'Fixed faces' is '2'", '"2" (3, faces)', "(2, faces)"),
+            "Support, 'Fixed faces' is '2'", '"2" (3, faces)', "2 (faces)"),
     refused("a name and a number of elements", block(
         {**CUT, "Support/Fixed faces": "5", "Material/Young's modulus": "3; 2 : 1"},
         HALVES.replace("Volume(1)", 'Volume("2", 1)') + "Physical Surface(5) = {s[1]};\n"),
-            "Material, 'Young's modulus'", '"2" (1, elements)', "(2, elements)"),
+            "Material, 'Young's modulus'", '"2" (1, elements)', "2 (elements)"),
     refused("one name of two groups of faces", TWICE, "'ground'", '"ground" (2, faces)',
             '"ground" (3, faces)', scene="scene_22.prm"),
     right("a name of faces that is a number of elements", block(
@@ -115,13 +115,13 @@ CASES = [
     refused("an unknown group of a geometry", block({"Support/Fixed faces": "floor"}),
             "'floor' is none of them", *LISTED),
     refused("a group without a name", block(by_number("7", "2"), THREE_ONES),
-            "'7' is none of them", "(1, faces)", "(2, faces)", "(1, elements)"),
+            "'7' is none of them", "1 (faces)", "2 (faces)", "1 (elements)"),
     refused("elements where a surface is needed", block(
-        {"Load/Pressures": "block: 2"}), "'block'", *LISTED),
+        {"Load/Pressures": "block: 2"}), "'block'", LISTED[2]),
     refused("faces where elements are needed", block(
-        {"Material/Young's modulus": "5; lid : 2"}), "'lid'", LISTED[2]),
+        {"Material/Young's modulus": "5; lid : 2"}), "'lid'", LISTED[1]),
     refused("a face of a box", box({"Support/Fixed faces": "floor"}),
-            "left, right, front, back, bottom, top"),
+            '"left" (1, faces)', '"bottom" (5, faces)'),
     # Partitioned meshes have the groups that their geometry has.
     *(right(f"a partitioned mesh, {version}", PARTITIONED, LIFTED,
             scene=f"scene_{version}.prm") for version in ("22", "41")),
