@@ -4,6 +4,8 @@ never removes what it reads. Names with blanks, kanji and '#' are what they are.
 usage: files.py PROGRAM
 """
 
+import re
+
 from cases import BLOCK, BLOCK_SCENE, box, changed, folder, main, refused, right
 from checks import pieces
 from program_cases import scene_text
@@ -22,7 +24,7 @@ CUT = scene_text(BLADE)[0]
 OWN = {name: f"{name} is mine\n" for name in (
     "statistics.csv", "nodes_0001.csv", "frame_0003.vtu", "cut.pvd", "piece_7.msh",
     "stage_0002.inp", "notes.txt")}
-NAMES = ["body 1.geo", "体.geo", "sub dir/体 ü.geo", "body#1.geo", "#.geo", "a#b#c.geo"]
+NAMES = ["body 1.geo", "体.geo", "sub dir/体 ü.geo", "body#1.geo", "sub dir/#.geo", "a#b#c.geo"]
 
 
 def body_of(name):
@@ -131,8 +133,15 @@ def output_with_a_sign(place):
     yield from ends_well(place.start("a.prm", "--output", "run"))
     before = place.contents()
     yield from ends_well(place.start("a.prm", "--output", "run#2"))
-    yield from ends_well(place.start("run#2/parameters.prm"))
     yield from ends_well(place.start("a.prm", "--output", "run#2", "--resume"))
+    printed = place.start("run#2/parameters.prm", "--print-parameters").stdout
+    if not re.search(r"set Directory\s*= run#2\s", printed):
+        yield "parameters.prm has another directory"
+    # A scene is not replaced by its own results.
+    whole = place.contents()
+    yield from fails(place.start("run#2/parameters.prm"), "run#2/parameters.prm")
+    yield from kept(place, whole)
+    yield from ends_well(place.start("run#2/parameters.prm", "--output", "run#3"))
     yield from kept(place, before)
 
 
