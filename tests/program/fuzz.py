@@ -10,7 +10,6 @@ usage: fuzz.py PROGRAM [--tries N] [--first N] [--only N] [--keep DIRECTORY]
 
 import argparse
 import concurrent.futures
-import math
 import os
 import pathlib
 import random
@@ -20,17 +19,17 @@ import subprocess
 import sys
 import tempfile
 
+from mutations import NUMBER, mutate
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
-TEXTS = ["0", "-1", "1", "0.5", "1e-300", "1e300", "-1e300", "1e400", "nan", "inf",
-         "4294967296", "-9223372036854775809", "1e9", "", "x", ";", ",", ":", "all",
-         "0:0", "#", "\\", "'", '"', "%s%n", "\0", "\t", "é", "../..", "{", "}"]
-WORDS = ["bottom", "top", "left", "inner", "drop", "hold", "none", "file", "box",
-         "ramp", "direct", "iterative", "element row", "stages", "true", "every row"]
 # A run that is right may take long; what is tried here are the wrong ones.
 TIME_LIMIT = 60
 MEMORY_LIMIT = 6 << 30
 MOST_ELEMENTS = 100
+CASES = ["slit_of_double_nodes/scene.prm", "quarter_points/scene_near.prm",
+         "partitioned_mesh/scene_22.prm", "partitioned_mesh/scene_cut.prm",
+         "sparse_numbers/scene_serendipity.prm", "number_in_two_dimensions/scene.prm",
+         "group_turned_round/scene.prm"]
 LIMITED = {"Refinement": 1, "Refinement near cut": 1}
 
 
@@ -59,6 +58,10 @@ def corpus(program, directory):
             lines, body = inlined(path)
             text = "\n".join(lines) + "\n"
             scenes.append((text, body.read_text() if body else None, ".geo"))
+    # Small bodies of other kinds: of version 2.2, in partitions, with a slit.
+    for scene in CASES:
+        lines, body = inlined(ROOT / "tests" / "cases" / scene)
+        scenes += [("\n".join(lines) + "\n", body.read_text(), body.suffix)] * 2
     # Pieces of a small cut, straight and curved, are bodies of the kind .msh.
     for scene in ("prm/kakefuda_1996/cut.prm", "prm/bodies/tube.prm"):
         output = pathlib.Path(directory) / pathlib.Path(scene).stem
@@ -73,46 +76,6 @@ def corpus(program, directory):
                 "subsection Blade\n  set Sharpness = 1\nend\n")
         scenes += [(text, body, ".msh")] * 3
     return scenes
-
-
-def mutated_number(generator, match):
-    value = float(match.group())
-    choices = [value * 2, value / 2, -value, value + 1, value - 1, 0]
-    if generator.random() < 0.4:
-        return generator.choice(TEXTS)
-    changed = generator.choice(choices)
-    if not math.isfinite(changed):
-        return repr(changed)
-    return str(int(changed)) if changed == int(changed) else repr(changed)
-
-
-def mutate(generator, text):
-    """One change of a text."""
-    lines = text.splitlines(keepends=True) or ["\n"]
-    i, j = (generator.randrange(len(lines)) for _ in range(2))
-    kind = generator.randrange(10)
-    if kind == 0:
-        del lines[i]
-    elif kind == 1:
-        lines.insert(j, lines[i])
-    elif kind == 2:
-        lines[i], lines[j] = lines[j], lines[i]
-    elif kind == 3:
-        return text[: generator.randrange(len(text) + 1)]
-    elif kind == 4 and text:
-        position = generator.randrange(len(text))
-        flipped = chr(ord(text[position]) ^ (1 << generator.randrange(7)))
-        return text[:position] + flipped + text[position + 1 :]
-    elif kind == 5 and "=" in lines[i]:
-        value = generator.choice(TEXTS + WORDS)
-        lines[i] = lines[i].split("=")[0] + "= " + value + "\n"
-    else:
-        matches = list(NUMBER.finditer(text))
-        if matches:
-            match = generator.choice(matches)
-            return (text[: match.start()] + mutated_number(generator, match)
-                    + text[match.end() :])
-    return "".join(lines)
 
 
 def is_large(scene):
@@ -138,7 +101,7 @@ def make_case(scenes, number):
     n_changes = generator.choice([1, 1, 1, 2, 3, 5])
     for _ in range(n_changes):
         if body is not None and generator.random() < 0.5:
-            body = mutate(generator, body)
+            body = mutate(generator, body, is_body=True)
         else:
             scene = mutate(generator, scene)
     if body is not None:
@@ -174,7 +137,7 @@ def problem_of(status, message):
 def try_case(program, files, options, directory):
     """What is wrong, and what the program said."""
     for name, text in files.items():
-        (directory / name).write_text(text, errors="surrogatepass")
+        (directory / name).write_bytes(text.encode(errors="surrogatepass"))
     try:
         result = subprocess.run(
             [program, "scene.prm", *options], cwd=directory,

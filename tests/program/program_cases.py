@@ -10,7 +10,7 @@ import re
 import resource
 import subprocess
 import tempfile
-from typing import Dict, NamedTuple, Sequence
+from typing import Callable, Dict, NamedTuple, Pattern, Sequence, Union
 
 SCENE = {
     "Dimension": "3",
@@ -40,12 +40,20 @@ class Case(NamedTuple):
 
     name: str
     arguments: Sequence[str]
-    files: Dict[str, str]
+    files: Dict[str, Union[str, bytes]]
     status: int
-    # What standard error (of a failure) or standard output must contain.
-    pieces: Sequence[str]
+    # What standard error (of a failure) or standard output must contain: texts, or
+    # regular expressions.
+    pieces: Sequence[Union[str, Pattern]]
     # The most memory that the program may have, in bytes.
     memory: int = resource.RLIM_INFINITY
+    # What starts the program, such as mpirun -np 2.
+    launcher: Sequence[str] = ()
+    # What is asked of a run's files, each with the directory and what the program
+    # said; the answers are problems. Without them nothing may be written.
+    checks: Sequence[Callable] = ()
+    # How long it may take.
+    seconds: float = 60
 
 
 def scene_text(values):
@@ -79,9 +87,22 @@ def files_below(directory):
     return sorted(str(p.relative_to(directory)) for p in directory.rglob("*"))
 
 
+def contains(text, piece):
+    return piece in text if isinstance(piece, str) else piece.search(text)
+
+
+def missing(case, text):
+    """The pieces that a text has not."""
+    return [getattr(piece, "pattern", piece) for piece in case.pieces
+            if not contains(text, piece)]
+
+
 def message_problems(case, result):
     """A failure is one sentence on standard error, and nothing else."""
     lines = result.stderr.splitlines()
+    if case.launcher:
+        # It adds what it thinks of the status.
+        lines = [line for line in lines if line.startswith("setsudan")]
     if len(lines) != 1:
         return [f"{len(lines)} lines on standard error instead of one"]
     problems = []
@@ -91,8 +112,28 @@ def message_problems(case, result):
         problems.append("something on standard output")
     if re.search(r"allowed is:\W*$", lines[0]):
         problems.append("the message does not say what is allowed")
-    problems += [f"not in the message: {p}" for p in case.pieces if p not in lines[0]]
+    problems += [f"not in the message: {piece}" for piece in missing(case, lines[0])]
     return problems
+
+
+def start(program, case, directory):
+    """How a run of the program has ended."""
+    command = [*case.launcher, program, *case.arguments]
+    try:
+        return subprocess.run(
+            command,
+            cwd=directory,
+            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            universal_newlines=True,
+            timeout=case.seconds,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS,
+                                                  (case.memory, case.memory)),
+        )
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(
+            command, None, "", f"setsudan: no end within {case.seconds} s.")
 
 
 def run(program, case):
@@ -101,30 +142,24 @@ def run(program, case):
         directory = pathlib.Path(name)
         for file, text in case.files.items():
             (directory / file).parent.mkdir(parents=True, exist_ok=True)
-            (directory / file).write_bytes(text.encode())
+            content = text if isinstance(text, bytes) else text.encode()
+            (directory / file).write_bytes(content)
         before = files_below(directory)
-        result = subprocess.run(
-            [program, *case.arguments],
-            cwd=directory,
-            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            universal_newlines=True,
-            timeout=60,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS,
-                                                  (case.memory, case.memory)),
-        )
+        result = start(program, case, directory)
         written = [f for f in files_below(directory) if f not in before]
-    problems = []
-    if result.returncode != case.status:
-        problems.append(f"status {result.returncode} instead of {case.status}")
-    if written:
+        problems = []
+        if result.returncode != case.status:
+            problems.append(f"status {result.returncode} instead of {case.status}")
+        else:
+            for check in case.checks:
+                problems += check(directory, result)
+    if written and not case.checks:
         problems.append("it wrote " + ", ".join(written[:3]))
-    if case.status == 1:
+    if case.status == 1 and not case.checks:
         problems += message_problems(case, result)
     else:
         said = result.stdout + result.stderr
-        problems += [f"not in what it said: {p}" for p in case.pieces if p not in said]
+        problems += [f"not in what it said: {piece}" for piece in missing(case, said)]
     return problems, result
 
 
