@@ -164,8 +164,7 @@ explain(const ChildFailure &failure,
            " s of Body/Meshing time: a loop or macro may have no end, or the "
            "mesh needs more time";
   if (failure.signal_number == SIGSYS)
-    return "the geometry runs a command by 'SystemCall', and a body's may run "
-           "none; take it out";
+    return "a body's geometry may not run commands; take out its 'SystemCall'";
   return "gmsh crashes when asked to read the file " + file_name +
          ": a number or a list in it may be too large";
 }

@@ -1,14 +1,13 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <setsudan/body/face_index.h>
-#include <setsudan/body/geometry.h>
 #include <setsudan/body/joints.h>
+#include <setsudan/body/overlapping_faces.h>
 #include <setsudan/body/pieces.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -18,22 +17,8 @@ using namespace dealii;
 
 namespace
 {
-// Relative to the shortest line at a vertex, and to the size of a face. Curved
-// faces are further from each other where one side is meshed finer.
+/** Up to which vertices are in one place, relative to their shortest line. */
 constexpr double tolerance_of_vertices = 1e-6;
-constexpr double tolerance_of_faces    = 1e-3;
-
-/** A face of the surface. */
-template <int dim>
-struct SurfaceFace
-{
-  CellFace face;
-  Point<dim> center;
-  Tensor<1, dim> normal;
-  /** The longest of the extents along the axes. */
-  double size;
-  BoundingBox<dim> box;
-};
 
 template <int dim>
 std::vector<CellFace>
@@ -47,77 +32,6 @@ collect_surface(const CoarseMesh<dim> &mesh)
         (i + 1 == faces.size() || faces[i].first != faces[i + 1].first))
       surface.push_back(faces[i].second);
   return surface;
-}
-
-template <int dim>
-Point<dim>
-center_of_unit_face(const unsigned int face)
-{
-  Point<dim> center;
-  for (unsigned int d = 0; d < dim; ++d)
-    center[d] = d == face / 2 ? face % 2 : 0.5;
-  return center;
-}
-
-template <int dim>
-SurfaceFace<dim>
-describe_face(const CoarseMesh<dim> &mesh, const CellFace &face)
-{
-  // The shape functions in the middle of a face.
-  constexpr double value_of_corner = dim == 3 ? -0.25 : 0;
-  constexpr double value_of_middle = dim == 3 ? 0.5 : 1;
-  const auto nodes                 = mesh.node_positions(face.first);
-  std::vector<Point<dim>> of_face;
-  Point<dim> center;
-  for (unsigned int node = 0; node < nodes.size(); ++node)
-    if (node_is_on_face<dim>(node, face.second))
-      {
-        of_face.push_back(nodes[node]);
-        center +=
-          (node < GeometryInfo<dim>::vertices_per_cell ? value_of_corner
-                                                       : value_of_middle) *
-          nodes[node];
-      }
-  BoundingBox<dim> box(of_face);
-  double size = 0;
-  for (unsigned int d = 0; d < dim; ++d)
-    size = std::max(size, box.side_length(d));
-  // Between its nodes a curved face may leave the box.
-  box.extend(0.05 * size);
-  const auto area = area_vector_of_face(nodes, face.second);
-  return {face, center, area / area.norm(), size, box};
-}
-
-/** Whether a point lies in a face, which is curved, up to `tolerance`. */
-template <int dim>
-bool
-is_in_face(const ElementNodes<dim> &nodes,
-           const unsigned int face,
-           const Point<dim> &point,
-           const double tolerance)
-{
-  const unsigned int axis = face / 2;
-  Point<dim> unit_point   = center_of_unit_face<dim>(face);
-  double distance         = std::numeric_limits<double>::max();
-  for (unsigned int step = 0; step < 10; ++step)
-    {
-      // Along the face and away from it.
-      auto directions   = jacobian_of_element(nodes, unit_point);
-      const auto normal = normal_of_face(nodes, face, unit_point);
-      for (unsigned int d = 0; d < dim; ++d)
-        directions[d][axis] = normal[d];
-      const Tensor<1, dim> way =
-        invert(directions) * (point - point_of_element(nodes, unit_point));
-      distance = std::abs(way[axis]);
-      for (unsigned int d = 0; d < dim; ++d)
-        if (d != axis)
-          unit_point[d] = std::clamp(unit_point[d] + way[d], -0.5, 1.5);
-    }
-  for (unsigned int d = 0; d < dim; ++d)
-    if (unit_point[d] < -tolerance_of_faces ||
-        unit_point[d] > 1 + tolerance_of_faces)
-      return false;
-  return distance <= tolerance;
 }
 
 /** The vertices that have something to do with the surface, ascending, each
@@ -195,68 +109,19 @@ find_coincident(const std::vector<unsigned int> &places)
   return found;
 }
 
-/** The vertices of a face, in any order. */
-template <int dim>
-std::vector<unsigned int>
-vertices_of_face(const CoarseMesh<dim> &mesh, const CellFace &face)
-{
-  const auto key = mesh.face_key(face);
-  return {key.begin(), key.begin() + n_vertices(key)};
-}
-
-/** The places of a face's vertices, ascending. */
-template <int dim>
-std::vector<unsigned int>
-places_of_face(const CoarseMesh<dim> &mesh,
-               const CellFace &face,
-               const std::vector<unsigned int> &places)
-{
-  auto of_face = vertices_of_face(mesh, face);
-  for (unsigned int &vertex : of_face)
-    vertex = places[vertex];
-  std::sort(of_face.begin(), of_face.end());
-  return of_face;
-}
-
-/** Faces whose center lies in a face that looks the other way and has other
- * corners. */
 template <int dim>
 FoundPlaces
 find_overlapping(const CoarseMesh<dim> &mesh,
                  const std::vector<CellFace> &surface,
                  const std::vector<unsigned int> &places)
 {
-  std::vector<SurfaceFace<dim>> faces;
-  std::vector<BoundingBox<dim>> boxes;
-  for (const auto &face : surface)
-    {
-      faces.push_back(describe_face(mesh, face));
-      boxes.push_back(faces.back().box);
-    }
-  const auto tree   = pack_rtree_of_indices(boxes);
-  const auto lie_on = [&](const SurfaceFace<dim> &a,
-                          const SurfaceFace<dim> &b) {
-    return a.normal * b.normal < -0.9 &&
-           places_of_face(mesh, a.face, places) !=
-             places_of_face(mesh, b.face, places) &&
-           is_in_face<dim>(mesh.node_positions(b.face.first),
-                           b.face.second,
-                           a.center,
-                           tolerance_of_faces * std::min(a.size, b.size));
-  };
+  const auto faces = find_overlapping_faces(mesh, surface, places);
   FoundPlaces found;
-  std::vector<unsigned int> near;
-  for (const auto &face : faces)
+  found.n = faces.size();
+  if (found.n > 0)
     {
-      near.clear();
-      tree.query(boost::geometry::index::intersects(face.center),
-                 std::back_inserter(near));
-      if (std::none_of(near.begin(), near.end(), [&](const unsigned int other) {
-            return lie_on(face, faces[other]);
-          }))
-        continue;
-      if (++found.n == 1)
-        found.vertices = vertices_of_face(mesh, face.face);
+      const auto key = mesh.face_key(faces.front());
+      found.vertices.assign(key.begin(), key.begin() + n_vertices(key));
     }
   return found;
 }

@@ -155,6 +155,14 @@ test_line_ends()
     text += c == '\n' ? "\r\n" : std::string(1, c);
   print_size("line ends of Windows",
              read_gmsh_file<3>(write_text("windows.msh", text)));
+  print_size("a geometry with a byte order mark",
+             read_gmsh_file<2>(write_text(
+               "windows.geo",
+               "\xEF\xBB\xBF// K\u00F6rper\r\n"
+               "Point(1) = {0, 0, 0};\r\n"
+               "l[] = Extrude {1, 0, 0} { Point{1}; Layers{2}; };\r\n"
+               "Extrude {0, 1, 0} { Curve{l[1]}; Layers{2}; "
+               "Recombine; }\r\n")));
 }
 
 

@@ -1,59 +1,13 @@
 // What gmsh files are refused for, each with a sentence.
 
-#include <setsudan/body/gmsh_file.h>
-
-#include <filesystem>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 
 #include "../test_setup.h"
-#include "gmsh_text.h"
+#include "refusals.h"
 
 using namespace Setsudan;
 using namespace dealii;
-
-template <int dim = 3>
-void
-refuse(const std::string &file_name,
-       const double time_limit = std::numeric_limits<double>::infinity())
-{
-  try
-    {
-      read_gmsh_file<dim>(file_name, time_limit);
-      std::cout << "FAILED: accepted" << std::endl;
-    }
-  catch (const std::runtime_error &error)
-    {
-      std::cout << error.what() << std::endl;
-    }
-}
-
-
-template <int dim = 3>
-void
-refuse_text(const std::string &text)
-{
-  refuse<dim>(write_text("refused.msh", text));
-}
-
-
-/** Change a mesh, and try it. */
-template <int dim = 3>
-void
-refuse_mesh(TextMesh mesh, const std::function<void(TextMesh &)> &spoil)
-{
-  spoil(mesh);
-  refuse_text<dim>(mesh.text());
-}
-
-
-std::string
-replace(std::string text, const std::string &what, const std::string &with)
-{
-  return text.replace(text.find(what), what.size(), with);
-}
-
 
 void
 test_files()
@@ -149,37 +103,6 @@ test_binary_sections()
 }
 
 
-/** Text that looks right. */
-void
-test_characters()
-{
-  const std::string text = two_cubes().text();
-  const std::string node = "\n2 1 0 0\n";
-  for (const std::string number :
-       {"1,0", "1.0D+00", "\u22121", "1\u00A0", "nan", "1e400", "one"})
-    refuse_text(replace(text, node, "\n2 " + number + " 0 0\n"));
-  refuse_text(replace(text, "1 5 2", "1 5 \u0662"));
-  refuse_text("\xEF\xBB\xBF" + text);
-  std::string returns = text;
-  std::replace(returns.begin(), returns.end(), '\n', '\r');
-  refuse_text(returns);
-  std::string wide;
-  for (const char c : text)
-    wide += {c, '\0'};
-  refuse_text(wide);
-  refuse_text("\xFF\xFE" + wide);
-
-  refuse(write_text("wrong.geo", "// A minus: \u2212\nx = \u22121;\n"));
-  refuse(
-    write_text("wrong.geo", "/* \u2212\n*/ s = \"\u2212\"; x = \u201Ca\";\n"));
-  refuse(write_text("wrong.geo", "x = 1; \xE4 = 2;\n"));
-  refuse(write_text("wrong.geo", "x = 1;\n// note\rx = 2;\n"));
-  refuse(write_text("wrong.geo", "// note\rx = 2;\r"));
-  refuse(write_text("wrong.geo", "\xFE\xFF// wide"));
-  refuse(write_text("wrong.geo", "x = 1.0D+00;\n"));
-}
-
-
 void
 test_geometries()
 {
@@ -195,42 +118,6 @@ test_geometries()
   refuse<2>(
     write_text("wrong.geo", "Point(1) = {0, 0, 0};\n" + cube + "Mesh 3;\n"));
   refuse<2>(write_text("wrong.geo", "Point(1) = {0, 0, 0};\n" + cube));
-}
-
-
-/** A geometry is a program. What it may not do leaves no trace. */
-void
-test_commands()
-{
-  const std::string cube  = "Point(1) = {0, 0, 0};\n"
-                            "p[] = Extrude {1, 0, 0} { Point{1}; Layers{1}; };\n"
-                            "l[] = Extrude {0, 1, 0} { Line{p[1]}; Layers{1}; "
-                            "Recombine; };\n"
-                            "Extrude {0, 0, 1} { Surface{l[1]}; Layers{1}; "
-                            "Recombine; }\n";
-  const std::string shell = "SystemCall \"touch left_behind\";\n";
-  write_text("included.geo", shell);
-  for (const std::string &command :
-       {shell,
-        "NonBlocking" + shell,
-        "Macro Call_it\n" + shell + "Return\nCall Call_it;\n",
-        std::string("Include \"included.geo\";\n"),
-        std::string("Printf(\"text\") > \"left_behind\";\n"),
-        std::string("Mesh 3;\nSave \"left_behind\";\n"),
-        std::string("Print \"left_behind.msh\";\n"),
-        std::string("Merge \"missing.geo\";\n"),
-        std::string("General.Verbosity = 0;\nSave \"left_behind\";\n"),
-        std::string("Mesh 3;\nExit;\n")})
-    refuse(write_text("command.geo", cube + command));
-  refuse(write_text("command.geo",
-                    cube + "Macro Endless\nCall Endless;\nReturn\n"
-                           "Call Endless;\n"),
-         0.5);
-  read_gmsh_file<3>(
-    write_text("command.geo", cube + "CreateDir \"left_behind\";\n"));
-  for (const std::string file : {"left_behind", "left_behind.msh"})
-    if (std::filesystem::exists(file))
-      std::cout << "FAILED: " << file << std::endl;
 }
 
 
@@ -427,9 +314,7 @@ main(int argc, char **argv)
     test_sections();
     test_sections_of_version_4();
     test_binary_sections();
-    test_characters();
     test_geometries();
-    test_commands();
     test_types();
     test_nodes();
     test_middle_nodes();
