@@ -85,8 +85,10 @@ test_faces()
   check("2D has no front", find_groups(groups2, "front").empty());
   check("names are whole",
         find_groups(groups3, "").empty() && find_groups(groups3, "to").empty());
-  std::cout << list_groups(groups2) << "; " << list_groups(groups3)
-            << std::endl;
+  for (const std::string word : {"left", "3", "6"})
+    std::cout << word << ": " << list_groups(find_groups(groups2, word), 2)
+              << "; " << list_groups(find_groups(groups3, word), 3)
+              << std::endl;
 }
 
 
