@@ -212,6 +212,7 @@ make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
   if (!body.box)
     choice.check_refined(parameters, size_of_mesh(body.mesh));
   choice.transformation.apply(body);
+  body.n_halvings = choice.refinement;
   body.has_middle_nodes =
     choice.element_type != ElementType::linear || choice.refinement > 0;
   if (choice.open_joints == BodyParameters<dim>::OpenJoints::refuse)

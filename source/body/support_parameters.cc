@@ -174,11 +174,6 @@ void
 SupportParameters<dim>::read_boxes(const Parameters &parameters,
                                    const Body<dim> &body)
 {
-  // Other rooms may refine parts of the body further.
-  const bool is_refined = parameters.is_given("Cut", "Refinement near cut") ||
-                          parameters.is_given("Accuracy", "Target");
-  const unsigned int n_halvings =
-    parameters.natural("Body", "Refinement") + (is_refined ? 3 : 0);
   for (const auto &[corners, text] :
        split_items(parameters.text("Support", "Fixed boxes"), ';'))
     {
@@ -200,11 +195,15 @@ SupportParameters<dim>::read_boxes(const Parameters &parameters,
                          "components of " +
                            axes<dim> + ", separated by ';'");
       const Region<dim> box(lower, upper);
-      parameters.require(holds_nodes(box, body, n_halvings),
-                         "Support",
-                         "Fixed boxes",
-                         "boxes that hold nodes of the body, and '" + corners +
-                           "' holds none");
+      // Other rooms may refine parts of the body further.
+      const bool is_refined =
+        parameters.is_given("Cut", "Refinement near cut") ||
+        parameters.is_given("Accuracy", "Target");
+      parameters.require(
+        holds_nodes(box, body, body.n_halvings + (is_refined ? 3 : 0)),
+        "Support",
+        "Fixed boxes",
+        "boxes that hold nodes of the body, and '" + corners + "' holds none");
       supports.push_back({box, components, {}, "Fixed boxes = " + corners});
     }
 }

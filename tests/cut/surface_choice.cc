@@ -176,8 +176,11 @@ test_groups()
         std::cout << error.what() << std::endl;
       }
   };
-  refuse({keys[0], body.mesh.face_key({0, 0})});
-
+  refuse({body.mesh.face_key({0, 0})});
+  const auto partly =
+    GroupOfFaces<dim>({keys[0], body.mesh.face_key({0, 0})}).choose(body);
+  check("what is open already is left out",
+        partly.faces.size() == 1 && partly.n_open == 1);
   // What is in both groups is plus, what is in none has no face.
   std::vector<unsigned int> minus, plus;
   for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)

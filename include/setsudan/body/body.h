@@ -32,6 +32,8 @@ struct Body
    * not, where elements are linear and not refined. */
   bool has_middle_nodes = true;
 
+  /** How often the model has all elements halved along each axis. */
+  unsigned int n_halvings = 0;
   /** Nodes of the file that belong to no element, ascending. */
   std::vector<unsigned int> unused_nodes;
 
