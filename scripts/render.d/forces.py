@@ -5,6 +5,7 @@ from itertools import accumulate
 from matplotlib import pyplot as plt
 
 RAMP = "ramp"
+FAR = 4  # times as much as what the blade exerts is not worth showing
 STYLE = {"linewidth": 1.2, "markersize": 3.5}
 
 
@@ -43,8 +44,9 @@ def plot_load(run, panels, start, lines, label):
     largest = float(run.parameters["Division/Maximum load factor"])
     panels[1].plot(depth, [line["load_factor"] for line in lines], "o-",
                    color="C0", label=label("row yields"), **STYLE)
-    panels[1].axhline(largest, color="k", linestyle="--", linewidth=0.8,
-                      label=label("the most"))
+    if largest < FAR * max(line["load_factor"] for line in lines):
+        panels[1].axhline(largest, color="k", linestyle="--", linewidth=0.8,
+                          label=label("the most"))
     panels[1].set_ylabel("load factor")
 
 
@@ -94,5 +96,6 @@ def mark_cut(run, panels, start, lines, has_others):
     arrest = [line for line in run.statistics
               if line["cut"] == cut and line["event"] == "arrest"]
     for line in arrest:
-        panels[0].plot(start + line["depth"], line["blade_force"], "x", color="C3",
-                       markersize=7, label="arrested")
+        panels[0].annotate("arrested", (start + line["depth"], line["blade_force"]),
+                           xytext=(0, -10), textcoords="offset points", va="top",
+                           ha="right", fontsize=7, arrowprops={"arrowstyle": "-"})

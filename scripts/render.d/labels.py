@@ -24,7 +24,9 @@ class Labels:
 
     def place_one(self, i, arrow, shafts):
         tip, tail, text = arrow
-        drawn = self.axes.text(*tail, text, clip_on=False, **self.style)
+        drawn = self.axes.annotate(
+            text, tail, xytext=away(np.subtract(tail, tip)), annotation_clip=False,
+            textcoords="offset points", **self.style)
         others = shafts[:i] + shafts[i + 1:]
         for ha, va in alignments(np.subtract(tail, tip)):
             drawn.set(ha=ha, va=va)
@@ -52,6 +54,11 @@ def alignments(back):
         return [behind, ("left", behind[1]), ("right", behind[1])]
     side = "left" if back[0] > 0 else "right"
     return [(side, "center"), (side, "bottom"), (side, "top")]
+
+
+def away(back):
+    """A step from an arrow's tail, in points."""
+    return PAD * back / max(np.linalg.norm(back), 1e-300)
 
 
 def crosses(box, start, end):

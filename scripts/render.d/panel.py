@@ -80,7 +80,7 @@ class Pictures:
         """A bar of a round length from a corner (in inches) of the figure, for
         pictures of a height in inches, and the axes beside it."""
         per_inch = self.view["height"] / picture_height
-        length = round_below(0.3 * self.aspect * self.view["height"])
+        length = round_below(0.25 * self.aspect * self.view["height"])
         width, height = figure.get_size_inches()
         axes = figure.add_axes([0, 0, 1, 1], frameon=False, xlim=(0, width),
                                ylim=(0, height), xticks=[], yticks=[])

@@ -12,7 +12,7 @@ from words import cutting_stress, legend, load, stage
 
 DPI = 100
 # Around the body, for a picture of USUAL pixels: colours, words above and below.
-RIGHT, ABOVE, BELOW, USUAL = 110, 88, 70, 900
+RIGHT, ABOVE, BELOW, USUAL = 110, 88, 100, 900
 
 
 def draw_sheets(run):
@@ -63,7 +63,7 @@ def label_frame(pictures, frame, name):
     pictures.draw_colours(
         figure, figure.add_axes([1 - (RIGHT - 5) * scale / width, 0.25,
                                  18 * scale / width, 0.5]), 10 * scale)
-    pictures.draw_scale(figure, (20 * scale / DPI, 50 * scale / DPI),
+    pictures.draw_scale(figure, (20 * scale / DPI, 48 * scale / DPI),
                         body_height / DPI, 10 * scale)
     figure.savefig(name, dpi=DPI, pil_kwargs={"compress_level": 4})
     plt.close(figure)
