@@ -12,8 +12,7 @@ import os
 import numpy as np
 from camera import Camera
 from frame import Frame
-from painter import Painter, blade_strip, outline_of
-from PIL import Image
+from painter import Painter, outline_of
 from run_directory import RunDirectory
 from sheets import body_size, draw_sheets
 
@@ -94,7 +93,7 @@ def warp(frames, factor):
 
 def colour_range(frames, field):
     """Nearly all values: the few at a blade's force grow without bound."""
-    values = np.concatenate([frame.values(field) for frame in frames])
+    values = np.concatenate([frame.nodal_values(field) for frame in frames])
     low, high = values.min(), np.percentile(np.abs(values), 99.5)
     high = high or np.abs(values).max() or 1.0
     return (-high, high) if low < -0.01 * high else (0.0, high)
@@ -128,10 +127,9 @@ def paint_run(painter, camera, run, frames, view):
     outline = outline_of(frames[0])
     view["frames"] = {}
     for frame in frames:
-        sheets = [blade_strip(*pair) for pair in zip(frame.lines, frame.backs)]
-        image = painter.paint(frame, outline, sheets)
-        Image.fromarray(image).save(
-            os.path.join(folder, f"{frame.number:04d}.png"), compress_level=1)
+        image = painter.paint(frame, outline, zip(frame.lines, frame.backs))
+        image.save(os.path.join(folder, f"{frame.number:04d}.png"),
+                   compress_level=1)
         view["frames"][frame.number] = {
             "apart": frame.is_apart,
             "front": [camera.pixels(line) for line in frame.lines],

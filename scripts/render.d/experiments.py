@@ -10,7 +10,7 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402
 from film_strip import MARGIN, draw_foot  # noqa: E402
-from panel import Pictures  # noqa: E402
+from panel import Pictures, save_small  # noqa: E402
 from run_directory import RunDirectory  # noqa: E402
 from words import load, stage  # noqa: E402
 
@@ -69,7 +69,7 @@ def draw_beside(figure_name, frames):
                     f"{SCENES[names[side]]}: {stage(pictures.run, frame)}\n"
                     f"{load(pictures.run, frame)}", fontsize=8, va="top")
     draw_foot(figure, sides[0], tall / (above - below))
-    figure.savefig(f"{IMAGES}/{figure_name}.png")
+    save_small(figure, f"{IMAGES}/{figure_name}.png")
     plt.close(figure)
 
 

@@ -3,6 +3,7 @@
 from math import ceil
 
 from matplotlib import pyplot as plt
+from panel import save_small
 from words import legend, load, stage
 
 PANELS = 8            # at most
@@ -72,7 +73,7 @@ def draw_film_strip(pictures, name):
         shown.append({"frame": frame, "caption": caption,
                       "labels": pictures.draw(axes, frame, font_size=7, window=window)})
     draw_foot(figure, pictures, tall / (above - below))
-    figure.savefig(f"{name}.png")
+    save_small(figure, f"{name}.png")
     figure.savefig(f"{name}.pdf", dpi=FINE)
     plt.close(figure)
     return shown

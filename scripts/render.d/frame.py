@@ -94,10 +94,14 @@ class Frame:
         """A number for each point of the lattice: of vectors the magnitude, of
         'stress_ZZ' a component."""
         if field in self.cells_data:
-            found = self.lattice.of_cells(self.cells_data[field], self.face_cell)
-        else:
-            found = self.lattice.values(self.point_field(field))
-        return np.linalg.norm(found, axis=1) if found.ndim > 1 else found
+            return self.lattice.of_cells(self.cells_data[field], self.face_cell)
+        return magnitude(self.lattice.values(self.point_field(field)))
+
+    def nodal_values(self, field):
+        """As they were computed: between nodes they may overshoot."""
+        if field in self.cells_data:
+            return self.cells_data[field]
+        return magnitude(self.point_field(field))
 
     def point_field(self, field):
         if field in self.points:
@@ -108,6 +112,10 @@ class Frame:
         sys.exit(f"The frames have no field {field}; they have "
                  f"{', '.join([*self.points, *self.cells_data])}, and components "
                  "as stress_ZZ.")
+
+
+def magnitude(values):
+    return np.linalg.norm(values, axis=1) if values.ndim > 1 else values
 
 
 def read_grid(file_name):

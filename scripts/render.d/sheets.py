@@ -2,6 +2,7 @@
 
 import json
 import os
+from math import sqrt
 
 from animation import animate
 from film_strip import draw_film_strip
@@ -13,6 +14,7 @@ from words import cutting_stress, legend, load, stage
 DPI = 100
 # Around the body, for a picture of USUAL pixels: colours, words above and below.
 RIGHT, ABOVE, BELOW, USUAL = 110, 88, 100, 900
+SMALLEST = 0.75  # of words, as far as there is room
 
 
 def draw_sheets(run):
@@ -31,7 +33,8 @@ def draw_sheets(run):
 
 
 def scale_of(size):
-    return min(size) / USUAL
+    """Of words and margins: smaller pictures need larger ones for their size."""
+    return max(min(SMALLEST, min(size) / 450), sqrt(size[0] * size[1]) / USUAL)
 
 
 def body_size(size):

@@ -22,23 +22,26 @@ def stage_of_cut(events, line):
     return f"{line['released_rows']} row{'s'[:line['released_rows'] > 1]} split"
 
 
+def loaded(run, frame):
+    """The line of a state under the blade."""
+    lines = [line for line in run.events(frame) if line["event"] == "deform"]
+    return lines[-1] if lines and lines[-1]["blade_force"] else None
+
+
 def load(run, frame):
     """Where the blade is and what it exerts, in a few words."""
-    lines = [line for line in run.events(frame)
-             if line["event"] in ("deform", "arrest")]
-    if not lines:
+    line = loaded(run, frame)
+    if not line:
         return ""
-    line = lines[-1]
     return (f"depth {with_unit(line['depth'], run, 'Length unit')}, "
             f"F = {with_unit(line['blade_force'], run, 'Force unit')}")
 
 
 def cutting_stress(run, frame):
     """The state's stress and what is needed to go on."""
-    lines = [line for line in run.events(frame) if line["event"] == "deform"]
-    if not lines:
+    line, unit = loaded(run, frame), run.unit("stress")
+    if not line:
         return ""
-    line, unit = lines[-1], run.unit("stress")
     return (f"cutting stress {line['cutting_stress']:.3g} of "
             f"{line['required_stress']:.3g} {unit} required").replace("  ", " ")
 
