@@ -11,6 +11,7 @@ import os
 
 import numpy as np
 from camera import Camera
+from colours import choose_colours
 from frame import Frame
 from painter import Painter, outline_of
 from run_directory import RunDirectory
@@ -18,7 +19,6 @@ from sheets import body_size, draw_sheets
 
 ARROW = 0.35     # length of the largest force's arrow, of the body's size
 SHEET = 0.2      # how far the blade's sheet stands out of the body
-MAPS = {"positive": "YlOrRd", "signed": "coolwarm"}
 TOO_FAR = 1.0    # a displacement of the body's size is not drawn as it is,
 DRAWN = 0.3      # but as about so much of the size
 
@@ -30,9 +30,7 @@ def main(options):
     factor = options.warp or fitting_warp(every)
     for of_run in frames:
         warp(of_run, factor)
-    low, high = options.range or colour_range(every, options.field)
-    colours = {"field": options.field, "range": [low, high],
-               "map": MAPS["signed" if low < 0 else "positive"]}
+    colours = choose_colours(every, options.field, options.range)
     add_blades(every)
 
     size = body_size(options.size)
@@ -89,14 +87,6 @@ def warp(frames, factor):
         if frame.has_blade:
             direction = frame.facts["blade_direction"][0]
         frame.warp(factor, -direction)
-
-
-def colour_range(frames, field):
-    """Nearly all values: the few at a blade's force grow without bound."""
-    values = np.concatenate([frame.nodal_values(field) for frame in frames])
-    low, high = values.min(), np.percentile(np.abs(values), 99.5)
-    high = high or np.abs(values).max() or 1.0
-    return (-high, high) if low < -0.01 * high else (0.0, high)
 
 
 def add_blades(frames):

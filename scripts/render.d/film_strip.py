@@ -3,7 +3,7 @@
 from math import ceil
 
 from matplotlib import pyplot as plt
-from panel import save_small
+from panel import save_small, write
 from words import legend, load, stage
 
 PANELS = 8            # at most
@@ -58,7 +58,7 @@ def draw_film_strip(pictures, name):
     tall = panel * (above - below) / (right - left)
     height = TITLE + rows * (CAPTION + tall) + FOOT
     figure = plt.figure(figsize=(WIDTH, height), dpi=DPI)
-    figure.text(EDGE / WIDTH, 1 - 0.2 / height, view["title"], fontsize=10)
+    write(figure, EDGE / WIDTH, 1 - 0.2 / height, view["title"], fontsize=10)
     shown = []
     for i, frame in enumerate(chosen):
         row, column = divmod(i, columns)

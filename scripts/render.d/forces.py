@@ -17,7 +17,7 @@ def plot_forces(run, title, name):
         figure, panels = plt.subplots(2, 1, sharex=True, figsize=(3.5, 3.6),
                                       constrained_layout=True)
         ramp = run.parameters.get("Division/Load control") == RAMP and \
-            all(is_at_yield(lines[:-1]) for lines in cuts)
+            all(is_at_yield(run, lines) for lines in cuts)
         for start, lines in zip(starts, cuts):
             depth = [start + line["depth"] for line in lines]
             panels[0].plot(depth, [line["blade_force"] for line in lines], "o-",
@@ -60,10 +60,17 @@ def plot_stresses(run, panels, start, lines, label):
     panels[1].set_ylabel("stress" + f" [{unit}]" * bool(unit))
 
 
-def is_at_yield(lines):
-    """Whether the load is such that each row just yields."""
+def is_at_yield(run, lines):
+    """Whether the load is such that each row just yields, until one does not."""
+    yielding = lines[:-1] if arrests(run, lines) else lines
     return all(abs(line["cutting_stress"] - line["required_stress"]) <=
-               0.01 * line["required_stress"] for line in lines)
+               0.01 * line["required_stress"] for line in yielding)
+
+
+def arrests(run, lines):
+    """Where a cut has been arrested."""
+    return [line for line in run.statistics
+            if line["cut"] == lines[0]["cut"] and line["event"] == "arrest"]
 
 
 def finish(run, panels, starts, cuts):
@@ -93,9 +100,7 @@ def mark_cut(run, panels, start, lines, has_others):
         panels[0].annotate(f" cut {cut + 1}", (start, 1), va="top", fontsize=7,
                            xycoords=("data", "axes fraction"), xytext=(0, -2),
                            textcoords="offset points")
-    arrest = [line for line in run.statistics
-              if line["cut"] == cut and line["event"] == "arrest"]
-    for line in arrest:
+    for line in arrests(run, lines):
         panels[0].annotate("arrested", (start + line["depth"], line["blade_force"]),
                            xytext=(0, -10), textcoords="offset points", va="top",
                            ha="right", fontsize=7, arrowprops={"arrowstyle": "-"})

@@ -1,7 +1,7 @@
 """Bodies as pictures, by VTK."""
 
-import matplotlib
 import numpy as np
+from colours import colour
 from PIL import Image
 from vtkmodules.util.numpy_support import (numpy_to_vtk, numpy_to_vtkIdTypeArray,
                                            vtk_to_numpy)
@@ -122,12 +122,6 @@ def cell_array(cells):
     found.SetData(cells.shape[1], numpy_to_vtkIdTypeArray(
         np.ascontiguousarray(cells.ravel(), np.int64), deep=True))
     return found
-
-
-def colour(values, colours):
-    low, high = colours["range"]
-    share = np.clip((values - low) / (high - low), 0, 1)
-    return matplotlib.colormaps[colours["map"]](share, bytes=True)[:, :3].copy()
 
 
 def outline_of(frame):

@@ -5,6 +5,7 @@ import os
 
 import matplotlib
 import numpy as np
+from colours import colour_map
 from labels import Labels
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
@@ -64,10 +65,10 @@ class Pictures:
     def draw_colours(self, figure, axes, font_size=8, **options):
         """The colour bar, with the field's name and unit."""
         view = self.view
-        colours = ScalarMappable(Normalize(*view["range"]), view["map"])
-        bar = figure.colorbar(colours, cax=axes, **options,
-                              extend="both" if view["range"][0] else "max")
-        bar.locator = MaxNLocator(4)
+        colours = ScalarMappable(Normalize(*view["range"]), colour_map(view))
+        bar = figure.colorbar(colours, cax=axes, extend=view["extend"], **options)
+        bar.locator = MaxNLocator(4, integer=view["colours"] < 256)
+        bar.minorticks_off()
         bar.formatter.set_powerlimits((-3, 4))
         bar.formatter.set_useMathText(True)
         bar.update_ticks()
@@ -94,7 +95,7 @@ class Pictures:
         axes.text((x + end) / 2, y + 0.05,
                   f"{length:g} {self.view['length_unit']}".strip(),
                   ha="center", va="bottom", fontsize=font_size)
-        self.draw_axes(axes, (end + 0.05 * font_size, y), 0.035 * font_size,
+        self.draw_axes(axes, (end + 0.05 * font_size, y), 0.03 * font_size,
                        font_size)
 
     def draw_axes(self, axes, origin, length, font_size):
@@ -119,6 +120,14 @@ def label_forces(axes, arrows, font_size):
     labels.place([(arrow["tip"], arrow["tail"], f"{arrow['force']:.3g}")
                   for arrow in largest_first])
     return labels.extents()
+
+
+def write(figure, left, bottom, text, **style):
+    """A text at a place of the figure, made smaller if it is too long for it."""
+    drawn = figure.text(left, bottom, text, **style)
+    width = drawn.get_window_extent(figure.canvas.get_renderer()).width
+    room = (1 - 2 * left) * figure.bbox.width
+    drawn.set_fontsize(drawn.get_fontsize() * min(1, room / max(width, 1)))
 
 
 def save_small(figure, name):

@@ -8,7 +8,7 @@ from animation import animate
 from film_strip import draw_film_strip
 from forces import plot_forces
 from matplotlib import pyplot as plt
-from panel import Pictures
+from panel import Pictures, write
 from words import cutting_stress, legend, load, stage
 
 DPI = 100
@@ -59,14 +59,14 @@ def label_frame(pictures, frame, name):
     if view["frames"][str(frame)]["apart"]:
         below = ["pieces drawn apart"]
     for text, size, top in ((head, 15, 34), ("; ".join(below), 11, 62)):
-        figure.text(20 * scale / width, 1 - top * scale / height, text,
-                    fontsize=size * scale)
-    figure.text(20 * scale / width, 12 * scale / height, legend(run, view),
-                fontsize=10 * scale)
+        write(figure, 20 * scale / width, 1 - top * scale / height, text,
+              fontsize=size * scale)
+    write(figure, 20 * scale / width, 12 * scale / height, legend(run, view),
+          fontsize=10 * scale)
     pictures.draw_colours(
         figure, figure.add_axes([1 - (RIGHT - 5) * scale / width, 0.25,
                                  18 * scale / width, 0.5]), 10 * scale)
-    pictures.draw_scale(figure, (20 * scale / DPI, 48 * scale / DPI),
+    pictures.draw_scale(figure, (20 * scale / DPI, 54 * scale / DPI),
                         body_height / DPI, 10 * scale)
     figure.savefig(name, dpi=DPI, pil_kwargs={"compress_level": 4})
     plt.close(figure)
