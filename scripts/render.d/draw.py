@@ -25,7 +25,8 @@ DRAWN = 0.3      # but as about so much of the size
 
 def main(options):
     runs = [RunDirectory(path) for path in options.directories]
-    frames = [[Frame(run, number) for number in run.frames] for run in runs]
+    frames = [[Frame(run, number, options.field) for number in run.frames]
+              for run in runs]
     every = [frame for of_run in frames for frame in of_run]
     factor = options.warp or fitting_warp(every)
     for of_run in frames:

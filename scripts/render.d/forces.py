@@ -43,10 +43,10 @@ def plot_load(run, panels, start, lines, label):
     depth = [start + line["depth"] for line in lines]
     largest = float(run.parameters["Division/Maximum load factor"])
     panels[1].plot(depth, [line["load_factor"] for line in lines], "o-",
-                   color="C0", label=label("row yields"), **STYLE)
+                   color="C0", label=label("where a row yields"), **STYLE)
     if largest < FAR * max(line["load_factor"] for line in lines):
         panels[1].axhline(largest, color="k", linestyle="--", linewidth=0.8,
-                          label=label("the most"))
+                          label=label("maximum"))
     panels[1].set_ylabel("load factor")
 
 

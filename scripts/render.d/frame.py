@@ -9,6 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import (vtkXMLPUnstructuredGridReader,
                                  vtkXMLUnstructuredGridReader)
 
+NEEDED = ("displacement", "node", "front")
 APART = 0.2    # how far pieces are drawn apart, of their centres' distance
 NESTED = 0.02  # pieces that this would move less, of the body's size, are nested
 
@@ -16,13 +17,16 @@ NESTED = 0.02  # pieces that this would move less, of the body's size, are neste
 class Frame:
     """One state: its elements, its fields, and the blade, if there is one."""
 
-    def __init__(self, run, number):
+    def __init__(self, run, number, field):
         self.number = number
         grid = read_grid(run.frames[number])
-        self.points, self.cells_data, facts = (
-            arrays(data) for data in (grid.GetPointData(), grid.GetCellData(),
-                                      grid.GetFieldData()))
         self.names = component_names(grid.GetPointData())
+        self.cells_data, facts = (arrays(data) for data in (grid.GetCellData(),
+                                                            grid.GetFieldData()))
+        # The others would only take memory.
+        self.points = {name: values
+                       for name, values in arrays(grid.GetPointData()).items()
+                       if name in NEEDED or field.startswith(name)}
         self.rest = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
         self.displacement = self.points["displacement"].astype(float)
         self.cells = element_points(grid)
@@ -48,8 +52,6 @@ class Frame:
                                             self.piece, self.places)
         self.lattice = Lattice(faces, fineness(len(faces)))
         self.surface = self.lattice.values(self.places)
-        self.samples = np.vstack([self.lattice.values(self.rest), self.rest])
-        self.drawn_samples = np.vstack([self.surface, self.places])
 
     def offsets(self, out):
         """The gap closes as pieces unload: where they go so that it shows."""
@@ -66,19 +68,24 @@ class Frame:
             offsets[points] = way
         return offsets
 
-    def place_of(self, point):
-        """Where a point of the body at rest is drawn."""
-        distance = np.linalg.norm(self.samples - point, axis=1)
-        nearest = distance < distance.min() + 1e-5 * self.size()
-        return self.drawn_samples[nearest].mean(axis=0)
+    def places_of(self, points):
+        """Where points of the body at rest are drawn."""
+        rest = np.vstack([self.lattice.values(self.rest), self.rest])
+        places = np.vstack([self.surface, self.places])
+        found = []
+        for point in points:
+            distance = np.linalg.norm(rest - point, axis=1)
+            nearest = distance < distance.min() + 1e-5 * self.size()
+            found.append(places[nearest].mean(axis=0))
+        return np.array(found)
 
     def forces(self):
         """(place, force) of each load of the blade."""
         if not self.has_blade:
             return []
-        return [(self.place_of(point), force) for point, force in
-                zip(self.facts["blade_points"], self.facts["blade_forces"])
-                if np.any(force)]
+        places = self.places_of(self.facts["blade_points"])
+        return [(place, force) for place, force in
+                zip(places, self.facts["blade_forces"]) if np.any(force)]
 
     def front(self):
         """The drawn lines through the nodes of the row under the blade."""
@@ -87,8 +94,7 @@ class Frame:
             return []
         lines = ordered_front(self.rest[chosen], self.facts["blade_direction"][0],
                               self.facts["cut_normal"][0])
-        return [np.array([self.place_of(point) for point in refined(line)])
-                for line in lines]
+        return [self.places_of(refined(line)) for line in lines]
 
     def values(self, field):
         """A number for each point of the lattice: of vectors the magnitude, of
@@ -110,7 +116,7 @@ class Frame:
         if component in self.names.get(name, ()):
             return self.points[name][:, self.names[name].index(component)]
         sys.exit(f"The frames have no field {field}; they have "
-                 f"{', '.join([*self.points, *self.cells_data])}, and components "
+                 f"{', '.join([*self.names, *self.cells_data])}, and components "
                  "as stress_ZZ.")
 
 

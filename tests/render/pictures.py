@@ -96,7 +96,7 @@ def blade_problems(run, view, drawn):
 
 def surface_problems(run, output):
     """The lattice of a body at rest encloses it: the table of points is right."""
-    frame = Frame(RunDirectory(str(output)), 0)
+    frame = Frame(RunDirectory(str(output)), 0, "node")
     frame.warp(1, None)
     low, high = frame.surface.min(axis=0), frame.surface.max(axis=0)
     if run.scene is not None and isinstance(run.scene, dict):
