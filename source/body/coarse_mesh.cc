@@ -3,7 +3,7 @@
 #include <setsudan/body/coarse_mesh.h>
 
 #include <algorithm>
-
+#include <limits>
 namespace Setsudan
 {
 using namespace dealii;
@@ -80,6 +80,27 @@ CoarseMesh<dim>::extent() const
   for (unsigned int d = 0; d < dim; ++d)
     extent = std::max(extent, box.side_length(d));
   return extent;
+}
+
+
+
+template <int dim>
+double
+CoarseMesh<dim>::round_off() const
+{
+  double farthest = 0, shortest = std::numeric_limits<double>::max();
+  for (const auto &vertex : vertices)
+    farthest = std::max(farthest, vertex.norm());
+  for (const auto &cell : cells)
+    for (unsigned int l = 0; l < GeometryInfo<dim>::lines_per_cell; ++l)
+      {
+        const auto end = [&](const unsigned int v) {
+          return vertices
+            [cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, v)]];
+        };
+        shortest = std::min(shortest, end(0).distance(end(1)));
+      }
+  return farthest / shortest * std::numeric_limits<double>::epsilon();
 }
 
 

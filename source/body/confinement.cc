@@ -59,6 +59,14 @@ deny_commands(Filter &filter)
   for (const int call :
        {SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(fork), SCMP_SYS(vfork)})
     filter.add(SCMP_ACT_KILL_PROCESS, call);
+  // gmsh says nothing where directories cannot be made, and tries for long to
+  // reach a server.
+  for (const int call : {SCMP_SYS(mkdir),
+                         SCMP_SYS(mkdirat),
+                         SCMP_SYS(socket),
+                         SCMP_SYS(socketpair),
+                         SCMP_SYS(connect)})
+    filter.add(SCMP_ACT_KILL_PROCESS, call);
   // Threads are made by the same call as processes. The arguments of clone3 are
   // out of the filter's sight; without it, the C library takes clone.
   filter.add(SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), 0, CLONE_THREAD, 0);
@@ -75,16 +83,14 @@ deny_changes(Filter &filter)
       filter.add(refuse, SCMP_SYS(openat), 2, flag, flag);
     }
   for (const int call :
-       {SCMP_SYS(creat),    SCMP_SYS(openat2),       SCMP_SYS(truncate),
-        SCMP_SYS(unlink),   SCMP_SYS(unlinkat),      SCMP_SYS(rename),
-        SCMP_SYS(renameat), SCMP_SYS(renameat2),     SCMP_SYS(mkdir),
-        SCMP_SYS(mkdirat),  SCMP_SYS(rmdir),         SCMP_SYS(mknod),
-        SCMP_SYS(mknodat),  SCMP_SYS(link),          SCMP_SYS(linkat),
-        SCMP_SYS(symlink),  SCMP_SYS(symlinkat),     SCMP_SYS(chmod),
-        SCMP_SYS(fchmodat), SCMP_SYS(chown),         SCMP_SYS(lchown),
-        SCMP_SYS(fchownat), SCMP_SYS(utimensat),     SCMP_SYS(setxattr),
-        SCMP_SYS(socket),   SCMP_SYS(connect),       SCMP_SYS(socketpair),
-        SCMP_SYS(ptrace),   SCMP_SYS(io_uring_setup)})
+       {SCMP_SYS(creat),    SCMP_SYS(openat2),   SCMP_SYS(truncate),
+        SCMP_SYS(unlink),   SCMP_SYS(unlinkat),  SCMP_SYS(rename),
+        SCMP_SYS(renameat), SCMP_SYS(renameat2), SCMP_SYS(rmdir),
+        SCMP_SYS(mknod),    SCMP_SYS(mknodat),   SCMP_SYS(link),
+        SCMP_SYS(linkat),   SCMP_SYS(symlink),   SCMP_SYS(symlinkat),
+        SCMP_SYS(chmod),    SCMP_SYS(fchmodat),  SCMP_SYS(chown),
+        SCMP_SYS(lchown),   SCMP_SYS(fchownat),  SCMP_SYS(utimensat),
+        SCMP_SYS(setxattr), SCMP_SYS(ptrace),    SCMP_SYS(io_uring_setup)})
     filter.add(refuse, call);
 }
 } // namespace

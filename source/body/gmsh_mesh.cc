@@ -164,7 +164,8 @@ explain(const ChildFailure &failure,
            " s of Body/Meshing time: a loop or macro may have no end, or the "
            "mesh needs more time";
   if (failure.signal_number == SIGSYS)
-    return "a body's geometry may not run commands; take out its 'SystemCall'";
+    return "a body's geometry may not run commands, make directories or call "
+           "servers; take out its 'SystemCall', 'CreateDir' or 'OnelabRun'";
   return "gmsh crashes when asked to read the file " + file_name +
          ": a number or a list in it may be too large";
 }

@@ -129,7 +129,17 @@ parse_group_names(const GmshSection &section)
       if (text >> entry.dimension >> entry.number >> quote &&
           entry.dimension <= 3 && quote == '"' &&
           std::getline(text, entry.name, '"'))
-        names.push_back(entry);
+        {
+          for (const auto &other : names)
+            if (other.dimension == entry.dimension && other.name == entry.name)
+              throw std::runtime_error(
+                "two physical groups of dimension " +
+                std::to_string(entry.dimension) + " have the name '" +
+                entry.name + "', numbers " + std::to_string(other.number) +
+                " and " + std::to_string(entry.number) +
+                ", of which gmsh keeps one; give each a name of its own");
+          names.push_back(entry);
+        }
       else
         text.setstate(std::ios::failbit);
     }
@@ -178,8 +188,12 @@ outline_mesh(const TextFile &file)
   const auto [version, is_binary] = parse_format(sections.front());
   const GmshSection &nodes        = find_section(sections, "Nodes");
   const GmshSection &elements     = find_section(sections, "Elements");
-  GmshOutline outline             = {
-                false, version, check_nodes_section(version, nodes, is_binary), {}, {}};
+  if (&elements < &nodes)
+    throw std::runtime_error("the file's section $Elements stands before "
+                             "$Nodes, and gmsh reads them in their order; put "
+                             "$Nodes first");
+  GmshOutline outline = {
+    false, version, check_nodes_section(version, nodes, is_binary), {}, {}};
   outline.element_types =
     check_elements_section(version, elements, is_binary, outline.node_numbers);
   for (const auto &section : sections)

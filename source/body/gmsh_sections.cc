@@ -19,7 +19,8 @@ n_nodes_of_type(const int type)
   if (type < 1 || type >= int(std::size(n_nodes)))
     throw std::runtime_error("there are elements of gmsh's type " +
                              std::to_string(type) +
-                             ", which are not of first or second order");
+                             ", which are not of first or second order, or the "
+                             "counts in the section $Elements are wrong");
   return n_nodes[type];
 }
 

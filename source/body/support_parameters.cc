@@ -5,6 +5,8 @@
 #include <setsudan/body/support_parameters.h>
 #include <setsudan/parameters/lists.h>
 
+#include <algorithm>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -101,16 +103,16 @@ holds_nodes(const Region<dim> &region,
             const unsigned int n_halvings)
 {
   // Of the finest elements the middles of faces are no nodes, which is no
-  // matter here; and behind some halvings there are nodes everywhere.
-  if (n_halvings > 3)
-    return true;
+  // matter here; finer ones than these are not looked at.
+  constexpr unsigned int most = 3;
   const QIterated<dim> grid(QTrapezoid<1>(),
-                            (body.has_middle_nodes ? 2 : 1) << n_halvings);
+                            (body.has_middle_nodes ? 2 : 1)
+                              << std::min(n_halvings, most));
   for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
     for (const auto &point : grid.get_points())
       if (region.contains(body, cell, point))
         return true;
-  return false;
+  return n_halvings > most;
 }
 } // namespace
 template <int dim>
@@ -172,6 +174,11 @@ void
 SupportParameters<dim>::read_boxes(const Parameters &parameters,
                                    const Body<dim> &body)
 {
+  // Other rooms may refine parts of the body further.
+  const bool is_refined = parameters.is_given("Cut", "Refinement near cut") ||
+                          parameters.is_given("Accuracy", "Target");
+  const unsigned int n_halvings =
+    parameters.natural("Body", "Refinement") + (is_refined ? 3 : 0);
   for (const auto &[corners, text] :
        split_items(parameters.text("Support", "Fixed boxes"), ';'))
     {
@@ -193,14 +200,11 @@ SupportParameters<dim>::read_boxes(const Parameters &parameters,
                          "components of " +
                            axes<dim> + ", separated by ';'");
       const Region<dim> box(lower, upper);
-      parameters.require(
-        holds_nodes(box,
-                    body,
-                    parameters.natural("Body", "Refinement") +
-                      parameters.numbers("Cut", "Refinement near cut")[0]),
-        "Support",
-        "Fixed boxes",
-        "boxes that hold nodes of the body, and '" + corners + "' holds none");
+      parameters.require(holds_nodes(box, body, n_halvings),
+                         "Support",
+                         "Fixed boxes",
+                         "boxes that hold nodes of the body, and '" + corners +
+                           "' holds none");
       supports.push_back({box, components, {}, "Fixed boxes = " + corners});
     }
 }

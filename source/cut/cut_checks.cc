@@ -25,13 +25,10 @@ check_surface(const Parameters &parameters,
     {
       std::string why;
       for (const auto &joint : describe_joints(body, find_joints(body)))
-        why += "; " + joint;
-      // The sentence gets its full stop at its end.
-      if (!why.empty())
-        why.pop_back();
+        why += " " + joint;
       require(false,
               "surfaces that pass between elements of the body, and '" + text +
-                "' touches no face of an element inside the body" + why);
+                "' touches no face of an element inside the body." + why);
     }
   const auto branchings = find_branchings(body, surface);
   require(branchings.empty(),

@@ -45,7 +45,8 @@ NearCut<dim>::NearCut(const Body<dim> &body,
   : body(body)
   , on_cut(region_of_faces(body, faces_of_cuts(cut)))
   , width(width)
-  , neighborhood(body, faces_of_cuts(cut), width)
+  // Layers of elements lie where sums of lengths put them, up to round-off.
+  , neighborhood(body, faces_of_cuts(cut), width * (1 + 1e-6))
 {
 }
 

@@ -223,10 +223,12 @@ Parameters::reject(const std::string &subsection,
                    const std::string &allowed) const
 {
   const auto found = locations.find({subsection, name});
+  // What a library says may be a sentence of its own.
+  const std::string end = allowed.empty() || allowed.back() != '.' ? "." : "";
   throw SceneError((found == locations.end() ? scene_name + " (default value)"
                                              : found->second) +
                    ": " + full_name(subsection, name) + " is '" +
-                   text(subsection, name) + "'; allowed is: " + allowed + ".");
+                   text(subsection, name) + "'; allowed is: " + allowed + end);
 }
 
 

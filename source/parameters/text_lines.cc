@@ -35,7 +35,10 @@ read_text_lines(const std::string &file_name,
                 const std::string &sentence_begins)
 {
   std::string bytes = read_bytes(file_name, sentence_begins);
-  if (begins_with(bytes, "\xff\xfe") || begins_with(bytes, "\xfe\xff"))
+  // Without a mark, its characters have a byte that is 0.
+  const std::string beginning = bytes.substr(0, 2);
+  if (begins_with(bytes, "\xff\xfe") || begins_with(bytes, "\xfe\xff") ||
+      beginning.find('\0') != std::string::npos)
     throw SceneError(file_name + ": the file is in UTF-16, and must be text in "
                                  "UTF-8; save it anew as that.");
   if (begins_with(bytes, "\xef\xbb\xbf"))
@@ -112,6 +115,7 @@ std::optional<std::string>
 describe_alike(const char32_t code)
 {
   constexpr Range ranges[] = {
+    {0x80, 0x9f, "a control character; take it out"},
     {0xa0, 0xa0, "a no-break space; write a blank"},
     {0xb4, 0xb4, "an accent; write '"},
     {0x2bc, 0x2bc, "a typographic apostrophe; write '"},
@@ -120,6 +124,7 @@ describe_alike(const char32_t code)
     {0x2010, 0x2015, "a typographic hyphen or dash; write -"},
     {0x2018, 0x201b, "a typographic apostrophe or quotation mark; write '"},
     {0x201c, 0x201f, "a typographic quotation mark; take it out"},
+    {0x2028, 0x2029, "a separator of lines; end the line instead"},
     {0x202a, 0x202e, "invisible; take it out"},
     {0x202f, 0x202f, "a no-break space; write a blank"},
     {0x2032, 0x2035, "a prime; write '"},

@@ -26,14 +26,15 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
     scene.shape.element_type == ElementType::linear      ? " linear"
     : scene.shape.element_type == ElementType::quadratic ? " quadratic"
                                                          : "";
-  line << "Body: " << dim << "D, " << n_elements << type << " elements"
-       << (scene.body.mesh.is_curved() ? " with curved sides, " : ", ")
-       << scene.body.n_nodes() << " nodes, ";
+  line << "Body: " << dim << "D, " << n_elements << type
+       << (n_elements == 1 ? " element" : " elements")
+       << (scene.body.mesh.is_curved() ? " with curved sides, " : ", ");
   if (n_cells > n_elements)
     line << "refined to " << n_cells << " cells, ";
   const auto n_processes = Utilities::MPI::n_mpi_processes(body.communicator);
-  line << n_unknowns << " unknowns on " << n_processes
-       << (n_processes == 1 ? " process" : " processes") << ".\nSolver: "
+  line << n_unknowns / dim << " nodes, " << n_unknowns << " unknowns on "
+       << n_processes << (n_processes == 1 ? " process" : " processes")
+       << ".\nSolver: "
        << EquilibriumLadder<dim>::description(*body.model, scene.solver);
   if (scene.solver.method == SolverParameters::Method::automatic)
     line << ", chosen because the unknowns "
@@ -162,8 +163,8 @@ describe_loose_pieces(const Scene<dim> &scene,
     lines.push_back("  pieces without a support of their own:" + pieces + " (" +
                     (drops ? "left out from now on"
                            : "held at " + std::to_string(n) +
-                               " components each, which the loads do not "
-                               "strain") +
+                               (n == 1 ? " component" : " components") +
+                               " each, which the loads do not strain") +
                     ")");
   return lines;
 }

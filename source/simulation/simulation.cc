@@ -337,7 +337,8 @@ Simulation<dim>::open()
   line << "  seam of " << body.seam().n_double_pairs()
        << " node pairs; tied, it leaves " << unbalanced
        << " of the forces unbalanced";
-  const double allowed = std::max(1e-10, 100 * state.quality.residual);
+  const double allowed =
+    std::max({1e-10, 100 * state.quality.residual, 10 * body.mesh.round_off()});
   if (!(unbalanced <= allowed))
     {
       line << ", which must not exceed " << allowed

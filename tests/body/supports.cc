@@ -85,8 +85,10 @@ test_faces()
   check("2D has no front", find_groups(groups2, "front").empty());
   check("names are whole",
         find_groups(groups3, "").empty() && find_groups(groups3, "to").empty());
-  std::cout << list_groups(groups2) << "; " << list_groups(groups3)
-            << std::endl;
+  for (const std::string word : {"left", "3", "6"})
+    std::cout << word << ": " << list_groups(find_groups(groups2, word), 2)
+              << "; " << list_groups(find_groups(groups3, word), 3)
+              << std::endl;
 }
 
 
@@ -146,7 +148,8 @@ test_boxes()
   print(SmallBody<2>({"Support/Fixed boxes=0, 0, 5, 5 : xy"}));
   print(SmallBody<2>({"Support/Fixed boxes=10,10,10,10:x; 4,4,6,6:y"}));
   print(SmallBody<3>({"Support/Fixed boxes=5, 5, 0, 20, 20, 0.1 : z"}));
-  const SmallBody<2> small({"Support/Fixed boxes=1, 0, 2, 10 : y"});
+  const SmallBody<2> small(
+    {"Support/Fixed boxes=1, 0, 2, 10 : y", "Body/Refinement=2"});
   check("refined",
         small.supports.at(0, Point<2>(0.25, 0.75)).components ==
             std::bitset<2>(2) &&

@@ -28,7 +28,7 @@ def plain(text, **files):
 def look_alike(name, line, code, column=None):
     """A line of the paper's scene with a character that looks like another."""
     text = PLAIN + line + "\n"
-    place = rf"scene\.prm:{len(text.splitlines())}:{column or '[0-9]+'}: "
+    place = rf"scene\.prm:{text.count(chr(10))}:{column or '[0-9]+'}: "
     return refused(name, plain(text), re.compile(place), f"U+{code}")
 
 

@@ -14,7 +14,7 @@ INCLUDE = 'Include "other.geo";\n'
 ENDLESS = "Macro again\n  n = 1;\n  Call again;\nReturn\nn = 0;\nCall again;\n"
 LOOP = "For i In {0:1e12}\n  n = i;\nEndFor\n"
 SHORT = {"Body/Meshing time": "2"}
-TIME = ("Body, 'Meshing time'", "2 s")
+TIME = ("Body/Meshing time", "2 s")
 
 
 def command(name, line, word, **more):
@@ -48,14 +48,14 @@ CASES = [
     command("Exit behind a condition", "If (1)\n  Exit;\nEndIf", "Exit"),
     command("System", 'System "echo ran > it_ran";', "System"),
     command("NonBlockingSystemCall", 'NonBlockingSystemCall "echo ran > it_ran";',
-            "NonBlockingSystemCall"),
+            "SystemCall"),
     command("SystemCall without a blank", 'SystemCall"echo ran > it_ran";',
             "SystemCall"),
     command("SystemCall behind a comment", '/* x */ SystemCall "echo ran > it_ran";',
             "SystemCall"),
     command("OnelabRun", 'OnelabRun("echo", "/bin/touch it_ran");', "OnelabRun"),
     command("Save", 'Save "saved.msh";', "Save"),
-    command("Print", 'Print "picture.png";', "Print"),
+    command("Print", 'Print "picture.png";', "picture.png"),
     command("Printf to a file", 'Printf("%g", 1) > "printed.txt";', "Printf"),
     command("Printf behind a file", 'Printf("%g", 1) >> "printed.txt";', "Printf"),
     command("CreateDir", 'CreateDir "folder";', "CreateDir"),

@@ -103,8 +103,8 @@ CASES = [
         {**CUT, "Support/Fixed faces": "5", "Material/Young's modulus": "3; 2 : 1"},
         HALVES.replace("Volume(1)", 'Volume("2", 1)') + "Physical Surface(5) = {s[1]};\n"),
             "Material, 'Young's modulus'", '"2" (1, elements)', "2 (elements)"),
-    refused("one name of two groups of faces", TWICE, "'ground'", '"ground" (2, faces)',
-            '"ground" (3, faces)', scene="scene_22.prm"),
+    refused("one name of two groups of faces", TWICE, "'ground', numbers 2 and 3",
+            scene="scene_22.prm"),
     right("a name of faces that is a number of elements", block(
         {"Support/Fixed faces": "1"}, body(
             f'Volume("block", 1) = {VOLUME}', f'Surface("1", 2) = {GROUND}',

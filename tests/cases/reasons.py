@@ -53,10 +53,10 @@ CASES = [
         "deform", max_displacement=0.2), scene="scene_geo.prm"),
     refused("a geometry without a volume", block(
         {"Support/Fixed faces": "5"}, BLOCK[: BLOCK.index("v[]")]),
-            "Volume", "body.geo"),
+            "no elements of dimension 3", "4 of Quadrilateral 4", "body.geo"),
     refused("a mesh of two dimensions in three", {
         **SURFACES, "body.msh": SURFACES["body.msh"].replace(b"2 6 ", b"2 7 ")},
-            "2 quadrilaterals", WAY_OUT),
+            "2 of Quadrilateral 4", WAY_OUT),
     refused("a file of points only", with_scene(
         stack().partition("$Elements")[0] + "$Elements\n0\n$EndElements\n"),
             "no elements"),
@@ -72,7 +72,7 @@ CASES = [
             (30, "1.0 0.0"), (31, "1.0 1.0"), (32, "0.0 1.0")))), "quarter", "node 29"),
     refused("the order of VTK", VTK, re.compile(r"node \d+ of element 3"), "VTK"),
     # Elements of other kinds.
-    refused("prisms at the axis", PRISMS, "prism", re.compile(r"\b2\b.*[Pp]rism"),
+    refused("prisms at the axis", PRISMS, re.compile(r"\b2\b.*[Pp]rism"),
             re.compile(r"Mesh\.SubdivisionAlgorithm = 2|block")),
     refused("prisms by triangles", PRISMS, re.compile(r"\d+.*[Pp]rism"),
             "Mesh.SubdivisionAlgorithm = 2", scene="scene_triangles.prm"),
@@ -88,7 +88,7 @@ CASES = [
             re.compile("[Tt]riangle"), "Recombine"),
     # Numbers from 0.
     right("numbers from 1", with_scene(stack()), LIFTED),
-    refused("numbers from 0", with_scene(ZERO), "body.msh", "from 0", "node"),
+    refused("numbers from 0", with_scene(ZERO), "body.msh", "node 0", "from 1"),
     refused("one number that is 0", with_scene(stack().replace("\n8 ", "\n0 ", 1)),
             "body.msh", "0"),
     refused("a number that is negative", with_scene(stack().replace("\n8 ", "\n-8 ", 1)),

@@ -13,7 +13,8 @@ FOLDER = folder("refinement_10")
 SUPPORT = {"Support/Fixed faces": "bottom"}
 CUT = {**SUPPORT, "Blade/Sharpness": "1", "Cut/Surfaces": "y:1"}
 SHEET = {**SUPPORT, "Dimension": "2", "Body/Size": "10, 10", "Body/Elements": "2, 1"}
-MEMORY = re.compile(r"\d\S* [GTPE]i?B")
+# Or that so many cannot be numbered.
+MEMORY = re.compile(r"\d\S* [GTPE]i?B|2147483647 can be numbered")
 # A run that begins to build what is too large is stopped by these.
 LIMITS = {"seconds": 10, "memory": 6 << 30}
 

@@ -19,7 +19,7 @@ const std::string contract =
   "cutting_stress,required_stress,strain_energy,potential_energy,"
   "max_displacement,force_residual,moment_residual,min_jacobian,pieces,seconds,"
   "max_strain,max_shear,reaction_x,reaction_y,reaction_z,clamp_x,clamp_y,"
-  "clamp_z";
+  "clamp_z,overlap";
 
 
 std::vector<std::string>
@@ -60,6 +60,7 @@ numbered_event()
   event.max_shear        = 20;
   event.reaction         = {{21, 22, 23}};
   event.clamp_force      = {{24, 25, 26}};
+  event.overlap          = 27;
   return event;
 }
 
@@ -141,12 +142,32 @@ test_digits(Statistics &statistics, const OutputDirectory &directory)
 }
 
 
+/** Units stand in a comment or a row of their own, for every column. */
+void
+test_units(const OutputDirectory &directory)
+{
+  for (const auto units :
+       {OutputParameters::Units::comment, OutputParameters::Units::row})
+    {
+      Statistics statistics(units, "mm", "N");
+      add(statistics, numbered_event(), directory);
+      const auto lines    = read_lines();
+      const bool is_row   = units == OutputParameters::Units::row;
+      const auto &names   = lines[is_row ? 0 : 1];
+      const auto &of_them = lines[is_row ? 1 : 0];
+      std::cout << of_them << std::endl;
+      check("a unit for each column",
+            split(names, ',').size() == split(of_them, ',').size());
+    }
+}
+
+
 int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
     const OutputDirectory directory("table", MPI_COMM_WORLD);
-    Statistics statistics;
+    Statistics statistics(OutputParameters::Units::none, "cm", "gf");
     add(statistics, numbered_event(), directory);
     std::cout << read_lines().size() << " lines" << std::endl;
     test_columns(read_lines());
@@ -155,5 +176,6 @@ main(int argc, char **argv)
     std::cout << read_lines().size() << " lines" << std::endl;
     test_columns(read_lines());
     test_front(statistics, directory);
+    test_units(directory);
   });
 }

@@ -135,7 +135,8 @@ CASES = [
     wrong_file("body.txt", GEOMETRY, ""),
     wrong_file("open_loop.geo", OPEN_LOOP, "gmsh cannot mesh the geometry"),
     wrong_file("command.geo", GEOMETRY + 'SystemCall "touch left_behind";\n',
-               "may not run commands; take out its 'SystemCall'"),
+               "may not run commands, make directories or call servers; take out its "
+               "'SystemCall'"),
     wrong_file("writes.geo", GEOMETRY + 'Printf("text") > "left_behind";\n',
                "Unable to open file 'left_behind'"),
     wrong_file("saves.geo", GEOMETRY + 'Mesh 3;\nSave "left_behind.msh";\n',

@@ -93,7 +93,7 @@ def check(run, output):
     # The state at rest has a table and no deck.
     if len(tables) != len(decks) + 1 and "Output/CalculiX decks" in run.scene:
         yield f"{len(tables)} tables, {len(decks)} decks"
-    for path in tables:
+    for path in [*tables, *output.glob("pieces.csv")]:
         yield from table_problems(path)
     for path in decks:
         yield from table_problems(path.with_suffix(".csv"))

@@ -98,7 +98,8 @@ test(const std::vector<SceneEntry> &more)
       .solve(blade.nodal_forces, zero, zero),
     blade.nodal_forces,
     zero};
-  const auto at = judge_row<dim>(scene, body, row, nothing, &per_load);
+  SolveQuality quality;
+  const auto at = judge_row<dim>(scene, body, row, nothing, &per_load, quality);
   check_below_on_all("  square of the load",
                      std::abs(at(3).reached / (9 * at(1).reached) - 1),
                      1e-12);

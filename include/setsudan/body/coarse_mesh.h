@@ -63,6 +63,12 @@ struct CoarseMesh
   /** Largest extent of the body along a coordinate axis. */
   double
   extent() const;
+
+  /** What the digits of coordinates leave unsaid, relative to the shortest line
+   * between two vertices of a cell: more than round-off where the body is far
+   * from the origin. */
+  double
+  round_off() const;
 };
 
 /** Make the triangulation whose level-0 cell of index i is cell i of `mesh`. */
