@@ -11,7 +11,7 @@ from vtkmodules.vtkIOXML import (vtkXMLPUnstructuredGridReader,
 
 NEEDED = ("displacement", "node", "front")
 APART = 0.2    # how far pieces are drawn apart, of their centres' distance
-NESTED = 0.02  # pieces that this would move less, of the body's size, are nested
+NESTED = 0.05  # pieces whose centres are nearer, of their extents, are nested
 
 
 class Frame:
@@ -57,15 +57,15 @@ class Frame:
         """The gap closes as pieces unload: where they go so that it shows."""
         chosen = [self.cells[self.piece == piece].ravel()
                   for piece in np.unique(self.piece)]
-        ways = np.array([APART * (self.places[points].mean(axis=0) -
-                                  self.places.mean(axis=0)) for points in chosen])
-        if np.linalg.norm(ways, axis=1).max() < NESTED * self.size():
-            smallest = np.argmin([np.ptp(self.places[points], axis=0).max()
-                                  for points in chosen])
-            ways[smallest] += 2 * APART * self.size() * out
+        centres = np.array([self.places[points].mean(axis=0) for points in chosen])
+        ways = centres - self.places.mean(axis=0)
+        extents = np.array([np.ptp(self.places[points], axis=0)
+                            for points in chosen])
+        if np.linalg.norm(ways, axis=1).max() < NESTED * extents.min():
+            ways[np.argmin(extents.max(axis=1))] += 2 * self.size() * out
         offsets = np.zeros_like(self.rest)
         for points, way in zip(chosen, ways):
-            offsets[points] = way
+            offsets[points] = APART * way
         return offsets
 
     def places_of(self, points):
