@@ -9,8 +9,10 @@ import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402
-from panel import Pictures, legend, stage  # noqa: E402
+from film_strip import MARGIN, draw_foot  # noqa: E402
+from panel import Pictures, save_small  # noqa: E402
 from run_directory import RunDirectory  # noqa: E402
+from words import load, stage  # noqa: E402
 
 RESULTS = "results/kakefuda_1996"
 IMAGES = "doc/images"
@@ -49,28 +51,25 @@ def main():
 
 def draw_beside(figure_name, frames):
     """The same frames of a figure's left and right scene."""
-    sides = [Pictures(read_run(f"{figure_name}_{side}"))
-             for side in ("left", "right")]
-    n = 2 * len(frames)
-    panel = min(3.9, 10 / n)
-    height = panel + 1.3
-    figure = plt.figure(figsize=(panel * n, height))
-    grid = figure.add_gridspec(2, n, height_ratios=[30, 1], left=0.01,
-                               right=0.99, top=1 - 0.5 / height,
-                               bottom=0.7 / height, wspace=0.03, hspace=0.06)
-    for column in range(n):
-        pictures, frame = sides[column // len(frames)], \
-            frames[column % len(frames)]
-        side = f"{figure_name}_{('left', 'right')[column // len(frames)]}"
-        axes = figure.add_subplot(grid[0, column])
-        pictures.draw(axes, frame, font_size=8)
-        axes.set_title(f"{SCENES[side]}\n{stage(pictures.run, frame)}",
-                       fontsize=9)
-    bar = grid[1, :].subgridspec(1, 3)
-    sides[0].draw_colours(figure, figure.add_subplot(bar[1]),
-                          orientation="horizontal")
-    figure.text(0.01, 0.05 / height, legend(sides[0].run), fontsize=7)
-    figure.savefig(f"{IMAGES}/{figure_name}.png", dpi=110)
+    names = [f"{figure_name}_{side}" for side in ("left", "right")]
+    sides = [Pictures(read_run(name)) for name in names]
+    columns = 2 * len(frames)
+    left, right, below, above = window = sides[0].window(MARGIN)
+    panel = min(2.9, 7.1 / columns)
+    tall = panel * (above - below) / (right - left)
+    width, height = panel * columns, 0.42 + tall + 0.9
+    figure = plt.figure(figsize=(width, height), dpi=150)
+    for column in range(columns):
+        side, frame = divmod(column, len(frames))
+        pictures, frame = sides[side], frames[frame]
+        axes = figure.add_axes([column / columns, 0.9 / height, 1 / columns,
+                                tall / height])
+        pictures.draw(axes, frame, font_size=7, window=window)
+        figure.text((column + 0.03) / columns, 1 - 0.05 / height,
+                    f"{SCENES[names[side]]}: {stage(pictures.run, frame)}\n"
+                    f"{load(pictures.run, frame)}", fontsize=8, va="top")
+    draw_foot(figure, sides[0], tall / (above - below))
+    save_small(figure, f"{IMAGES}/{figure_name}.png")
     plt.close(figure)
 
 

@@ -13,16 +13,22 @@ class RunDirectory:
         self.path = path
         self.frames = read_sequence(path)
         self.parameters = read_parameters(os.path.join(path, "parameters.prm"))
-        with open(os.path.join(path, "statistics.csv"), newline="") as table:
-            self.statistics = [convert(line) for line in csv.DictReader(table)]
+        self.statistics = read_statistics(os.path.join(path, "statistics.csv"))
+        self.cuts = sorted({line["cut"] for line in self.statistics})
+
+    def name(self):
+        """The directory's, in words."""
+        return os.path.basename(os.path.abspath(self.path)).replace("_", " ")
 
     def unit(self, field):
         """The unit of a field, made of the labels of length and force."""
         length = self.parameters.get("Length unit", "")
         force = self.parameters.get("Force unit", "")
-        if field == "displacement":
+        if field.startswith("displacement"):
             return length
-        return f"{force}/{length}²" if length and force else ""
+        is_stress = field.startswith(("stress", "principal_stress", "von_Mises",
+                                      "maximum_shear"))
+        return f"{force}/{length}²" if is_stress and length and force else ""
 
     def events(self, frame):
         return [line for line in self.statistics if line["frame"] == frame]
@@ -40,6 +46,14 @@ def read_sequence(path):
                  "every row or stages into it first.")
     return {int(re.search(r"(\d+)\.p?vtu$", name).group(1)):
             os.path.join(path, name) for name in files}
+
+
+def read_statistics(path):
+    if not os.path.exists(path):
+        sys.exit(f"{os.path.dirname(path)} has no statistics.csv: it is not the "
+                 "output of a run.")
+    with open(path, newline="") as table:
+        return [convert(line) for line in csv.DictReader(table)]
 
 
 def read_parameters(path):

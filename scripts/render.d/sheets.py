@@ -1,123 +1,73 @@
-"""Labelled frames, film strip, animation and plot of one painted run.
+"""Labelled frames, film strip, animation and plots of one painted run."""
 
-sheets.py DIR
-"""
-
+import json
 import os
-import sys
+from math import sqrt
 
-import matplotlib
-import numpy as np
+from animation import animate
+from film_strip import draw_film_strip
+from forces import plot_forces
+from matplotlib import pyplot as plt
+from panel import Pictures, write
+from words import cutting_stress, legend, load, stage
 
-matplotlib.use("Agg")
-from matplotlib import pyplot as plt  # noqa: E402
-from panel import Pictures, legend, numbers, stage  # noqa: E402
-from PIL import Image  # noqa: E402
-from run_directory import RunDirectory  # noqa: E402
-
-PANELS = 6                # of a film strip, at most
-SHOWN = 8.0               # seconds of an animation that is not short
-SHORTEST, LONGEST = 0.12, 1.5  # seconds a frame is shown
+DPI = 100
+# Around the body, for a picture of USUAL pixels: colours, words above and below.
+RIGHT, ABOVE, BELOW, USUAL = 110, 88, 100, 900
+SMALLEST = 0.75  # of words, as far as there is room
 
 
-def main(path):
-    run = RunDirectory(path)
+def draw_sheets(run):
     pictures = Pictures(run)
-    folder = os.path.join(path, "render")
-    files = [label_frame(pictures, frame, folder) for frame in run.frames]
-    draw_film_strip(pictures, os.path.join(folder, "film_strip.png"))
+    folder = os.path.join(run.path, "render")
+    files, labels = [], {}
+    for frame in run.frames:
+        files.append(os.path.join(folder, f"frame_{frame:04d}.png"))
+        labels[os.path.basename(files[-1])] = label_frame(pictures, frame, files[-1])
+    panels = draw_film_strip(pictures, os.path.join(folder, "film_strip"))
     animate(files, os.path.join(folder, "animation.gif"))
     if any(line["event"] == "deform" for line in run.statistics):
-        plot_forces(run, os.path.join(folder, "forces.png"))
+        plot_forces(run, pictures.view["title"], os.path.join(folder, "forces"))
+    with open(os.path.join(folder, "plain", "labels.json"), "w") as file:
+        json.dump({"labels": labels, "film_strip": panels}, file, indent=1)
 
 
-def label_frame(pictures, frame, folder):
-    height, width = pictures.image(frame).shape[:2]
-    full_width, full_height = width + 170, height + 130
-    figure = plt.figure(figsize=(full_width / 100, full_height / 100))
-    body = figure.add_axes([0, 45 / full_height, width / full_width,
-                            height / full_height])
-    pictures.draw(body, frame, font_size=13)
-    for text, size, top in ((stage(pictures.run, frame), 17, 40),
-                            (numbers(pictures.run, frame), 12, 70),
-                            (legend(pictures.run), 11, full_height - 12)):
-        figure.text(20 / full_width, 1 - top / full_height, text,
-                    fontsize=size)
-    pictures.draw_colours(figure, figure.add_axes([1 - 120 / full_width, 0.25,
-                                                   20 / full_width, 0.5]))
-    name = os.path.join(folder, f"frame_{frame:04d}.png")
-    figure.savefig(name, dpi=100)
+def scale_of(size):
+    """Of words and margins: smaller pictures need larger ones for their size."""
+    return max(min(SMALLEST, min(size) / 450), sqrt(size[0] * size[1]) / USUAL)
+
+
+def body_size(size):
+    """Of the plain picture in a frame of a size, in pixels."""
+    scale = scale_of(size)
+    return [round(size[0] - RIGHT * scale),
+            round(size[1] - (ABOVE + BELOW) * scale)]
+
+
+def label_frame(pictures, frame, name):
+    run, view = pictures.run, pictures.view
+    width, height = view["size"]
+    scale = scale_of(view["size"])
+    body_width, body_height = body_size(view["size"])
+    figure = plt.figure(figsize=(width / DPI, height / DPI), dpi=DPI)
+    body = figure.add_axes([0, BELOW * scale / height, body_width / width,
+                            body_height / height])
+    extents = pictures.draw(body, frame, font_size=11 * scale)
+    head = f"{view['title']}: {stage(run, frame)}"
+    below = [words for words in (load(run, frame), cutting_stress(run, frame))
+             if words]
+    if view["frames"][str(frame)]["apart"]:
+        below = ["pieces drawn apart"]
+    for text, size, top in ((head, 15, 34), ("; ".join(below), 11, 62)):
+        write(figure, 20 * scale / width, 1 - top * scale / height, text,
+              fontsize=size * scale)
+    write(figure, 20 * scale / width, 12 * scale / height, legend(run, view),
+          fontsize=10 * scale)
+    pictures.draw_colours(
+        figure, figure.add_axes([1 - (RIGHT - 5) * scale / width, 0.25,
+                                 18 * scale / width, 0.5]), 10 * scale)
+    pictures.draw_scale(figure, (20 * scale / DPI, 54 * scale / DPI),
+                        body_height / DPI, 10 * scale)
+    figure.savefig(name, dpi=DPI, pil_kwargs={"compress_level": 4})
     plt.close(figure)
-    return name
-
-
-def draw_film_strip(pictures, name):
-    """The stages from rest to pieces, as in figure 5 of the paper."""
-    frames = list(pictures.run.frames)
-    after_first = np.linspace(1, len(frames) - 1, PANELS - 1).round()
-    chosen = [frames[i] for i in sorted({0, *after_first.astype(int)})]
-    height, width = pictures.image(frames[0]).shape[:2]
-    panel = 2.9
-    figure = plt.figure(figsize=(panel * len(chosen),
-                                 panel * height / width + 1.0))
-    grid = figure.add_gridspec(2, len(chosen), height_ratios=[30, 1],
-                               left=0.01, right=0.99, top=0.9, bottom=0.14,
-                               wspace=0.02, hspace=0.1)
-    for column, frame in enumerate(chosen):
-        axes = figure.add_subplot(grid[0, column])
-        pictures.draw(axes, frame)
-        axes.set_title(f"({chr(ord('a') + column)}) "
-                       f"{stage(pictures.run, frame)}", fontsize=10)
-    middle = grid[1, :].subgridspec(1, 3, width_ratios=[4, 3, 0.2])
-    pictures.draw_colours(figure, figure.add_subplot(middle[1]),
-                          orientation="horizontal")
-    figure.text(0.02, 0.1, legend(pictures.run), fontsize=9)
-    figure.savefig(name, dpi=100)
-    plt.close(figure)
-
-
-def animate(files, name):
-    seconds = min(LONGEST, max(SHORTEST, SHOWN / len(files)))
-    images = [with_palette(Image.open(file).convert("RGB")) for file in files]
-    durations = [int(1000 * seconds)] * (len(images) - 1) + [2500]
-    images[0].save(name, save_all=True, append_images=images[1:], loop=0,
-                   duration=durations)
-
-
-def with_palette(image):
-    """The 256 colours of a GIF, rare ones as the arrows' among them."""
-    palette = image.quantize(256, method=Image.Quantize.MAXCOVERAGE)
-    return image.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
-
-
-def plot_forces(run, name):
-    length = run.parameters.get("Length unit", "")
-    force = run.parameters.get("Force unit", "")
-    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(6.4, 6),
-                                          constrained_layout=True)
-    cuts = sorted({line["cut"] for line in run.statistics})
-    for cut in cuts:
-        lines = [line for line in run.statistics
-                 if line["cut"] == cut and line["event"] == "deform"]
-        of_cut = f" (cut {cut + 1})" if len(cuts) > 1 else ""
-        depth = [line["depth"] for line in lines]
-
-        def plot(axes, column, label, style):
-            axes.plot(depth, [line[column] for line in lines], style,
-                      label=label + of_cut)
-
-        plot(above, "blade_force", "blade force", "o-")
-        plot(below, "cutting_stress", "cutting stress", "o-")
-        plot(below, "required_stress", "required stress", "--")
-    above.set_ylabel(f"blade force [{force}]")
-    below.set_ylabel(f"stress [{run.unit('stress')}]")
-    below.set_xlabel(f"depth of the front row [{length}]")
-    for axes in (above, below):
-        axes.set_ylim(bottom=0)
-        axes.grid(alpha=0.3)
-        axes.legend()
-    figure.savefig(name, dpi=100)
-    plt.close(figure)
-
-
-main(sys.argv[1])
+    return extents
