@@ -69,7 +69,8 @@ describe_cut(const CutBody<dim> &body, const unsigned int cut)
   std::ostringstream line;
   line.precision(3);
   line << "Cut " << cut << " (" << body.cut().text
-       << "): " << body.seam().rows().size() << " rows, "
+       << "): " << body.seam().rows().size()
+       << (body.seam().rows().size() == 1 ? " row, " : " rows, ")
        << body.seam().pairs().size() << " nodes.";
   if (body.cut().edge.turned_by > 1e-6)
     line << " The blade's direction is turned by " << body.cut().edge.turned_by
