@@ -127,13 +127,17 @@ LoadParameters<dim>::LoadParameters(const Parameters &parameters,
   if (!pressures.empty() || !tractions.empty())
     {
       const FaceIndex<dim> index(body.mesh);
+      const auto faces_of = [&](const std::string &name,
+                                const std::string &word) {
+        auto faces = faces_of_word(parameters, body, index, name, word);
+        surface_items.emplace_back(name + " = " + word, faces.size());
+        return faces;
+      };
       for (const auto &[word, values] : pressures)
-        for (const auto &face :
-             faces_of_word(parameters, body, index, "Pressures", word))
+        for (const auto &face : faces_of("Pressures", word))
           surface_loads[face].pressure += values[0];
       for (const auto &[word, values] : tractions)
-        for (const auto &face :
-             faces_of_word(parameters, body, index, "Tractions", word))
+        for (const auto &face : faces_of("Tractions", word))
           surface_loads[face].traction += to_tensor<dim>(values);
     }
   for (const auto &[node, values] : read_items(

@@ -93,10 +93,9 @@ describe_loads(const Scene<dim> &scene)
   std::vector<std::string> lines;
   if (scene.loads.body_force != Tensor<1, dim>())
     lines.push_back("Load (Body force): on all elements.");
-  if (!scene.loads.surface_loads.empty())
-    lines.push_back("Load (Pressures, Tractions): on " +
-                    counted(scene.loads.surface_loads.size(), "element face") +
-                    ".");
+  for (const auto &[text, n_faces] : scene.loads.surface_items)
+    lines.push_back("Load (" + text + "): on " +
+                    counted(n_faces, "element face") + ".");
   if (!scene.loads.nodal_forces.empty())
     lines.push_back("Load (Nodal forces): on " +
                     counted(scene.loads.nodal_forces.size(), "node") + ".");

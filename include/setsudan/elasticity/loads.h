@@ -6,7 +6,9 @@
 #include <setsudan/parameters/parameters.h>
 
 #include <map>
-
+#include <string>
+#include <utility>
+#include <vector>
 namespace Setsudan
 {
 /**
@@ -29,9 +31,11 @@ struct LoadParameters
   };
   /** What acts on faces of the uncut body's surface. */
   std::map<CellFace, SurfaceLoad> surface_loads;
+  /** How many faces each item of Pressures and Tractions takes, as the scene
+   * has it. */
+  std::vector<std::pair<std::string, unsigned int>> surface_items;
   /** Forces on nodes, by the node's number. */
   std::map<unsigned int, Force> nodal_forces;
-
   static void
   declare(dealii::ParameterHandler &handler);
 
