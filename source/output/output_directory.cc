@@ -141,9 +141,9 @@ const std::string temporary_prefix = ".writing-";
 
 const std::string parameters_name = "parameters.prm";
 
-/** As long as there is no parameters.prm, the file that it will become tells
- * that the directory is a run's. */
-const std::string mark = temporary_prefix + parameters_name;
+/** As long as there is no parameters.prm, this file tells that the directory is
+ * a run's. */
+const std::string mark = temporary_prefix + "mark";
 
 /** The files in a directory whose names match, sorted. */
 std::vector<fs::path>
@@ -361,6 +361,8 @@ OutputDirectory::write_file(
     {
       write_to(temporary.string());
       fs::rename(temporary, fs::path(path) / name);
+      if (name == parameters_name)
+        fs::remove(fs::path(path) / mark);
     }
   catch (const std::exception &error)
     {

@@ -35,7 +35,7 @@ check_files(const unsigned int n_files)
   unsigned int n = 0;
   for (const auto &entry : fs::directory_iterator("written"))
     // Tells that the directory is a run's.
-    n += entry.path().filename() != ".writing-parameters.prm";
+    n += entry.path().filename() != ".writing-mark";
   check("files left", n == n_files);
 }
 
