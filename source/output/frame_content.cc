@@ -237,12 +237,18 @@ add_nodes(const Body<dim> &body,
     if (cell->is_locally_owned())
       {
         const auto &numbers = body.node_numbers[discretization.element(cell)];
-        const auto points   = discretization.points_in_element(cell);
         const auto indices  = discretization.node_indices(cell);
+        // Cells that are whole elements have the body's nodes first.
+        const bool is_whole = cell->level() == 0;
+        const auto points   = is_whole ? std::vector<Point<dim>>()
+                                       : discretization.points_in_element(cell);
         for (unsigned int node = 0; node < indices.size(); ++node)
           {
-            if (const auto of_body = node_at(points[node]))
-              nodes[first + places[node]] = numbers[*of_body];
+            if (is_whole && node < n_element_nodes<dim>)
+              nodes[first + places[node]] = numbers[node];
+            else if (!is_whole)
+              if (const auto of_body = node_at(points[node]))
+                nodes[first + places[node]] = numbers[*of_body];
             at_front[first + places[node]] =
               std::binary_search(front.begin(), front.end(), indices[node][0]);
           }
