@@ -178,9 +178,7 @@ BodyParameters<dim>::check_refined(const Parameters &parameters,
   const double n_unknowns    = finest.n_unknowns(element_type);
   check_memory(parameters,
                "Body",
-               refinement > 0         ? "Refinement"
-               : shape == Shape::file ? "File"
-                                      : "Elements",
+               refinement > 0 ? "Refinement" : "Elements",
                finest.n_cells(),
                n_unknowns,
                memory_of_model<dim>(n_unknowns, false));
@@ -209,8 +207,6 @@ make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
       }
   };
   Body<dim> body = make();
-  if (!body.box)
-    choice.check_refined(parameters, size_of_mesh(body.mesh));
   choice.transformation.apply(body);
   body.n_halvings = choice.refinement;
   body.has_middle_nodes =

@@ -45,7 +45,10 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
   if (table.empty())
     table = header(has_errors);
   std::string line;
-  for (const auto &column : statistics_columns(has_errors))
+  // They do not change within a run, whose rows may take a millisecond each.
+  if (columns.empty())
+    columns = statistics_columns(has_errors);
+  for (const auto &column : columns)
     line += (line.empty() ? "" : ",") +
             (event.is_whole || !column.is_of_body ? column.text(event) : "");
   table += line + "\n";

@@ -2,6 +2,7 @@
 
 #include <setsudan/output/event.h>
 #include <setsudan/output/output_directory.h>
+#include <setsudan/output/statistics_columns.h>
 
 #include <chrono>
 #include <string>
@@ -33,6 +34,7 @@ private:
   std::string
   header(const bool has_errors) const;
 
+  std::vector<StatisticsColumn> columns;
   const OutputParameters::Units units;
   const std::string length_unit;
   const std::string force_unit;
