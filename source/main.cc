@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <setsudan/kernel/blas.h>
 #include <setsudan/simulation/interruption.h>
-#include <setsudan/simulation/resumption.h>
+#include <setsudan/simulation/record/resumption.h>
 #include <setsudan/simulation/simulation.h>
 #include <setsudan/simulation/validation.h>
 

@@ -6,8 +6,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/surface_choice.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/surface_choice.h>
 
 #include <algorithm>
 #include <iostream>

@@ -8,8 +8,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
-#include <setsudan/elasticity/cell_batches.h>
 #include <setsudan/kernel/blas.h>
+#include <setsudan/mechanics/cell_batches.h>
 
 #include <Teuchos_BLAS.hpp>
 

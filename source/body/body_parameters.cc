@@ -1,5 +1,5 @@
 #include <setsudan/body/body_parameters.h>
-#include <setsudan/body/gmsh_file.h>
+#include <setsudan/body/gmsh/gmsh_file.h>
 #include <setsudan/body/joints.h>
 
 #include <limits>

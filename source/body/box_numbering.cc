@@ -1,7 +1,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <setsudan/body/box_numbering.h>
-#include <setsudan/body/nodes.h>
+#include <setsudan/mesh/nodes.h>
 
 namespace Setsudan
 {

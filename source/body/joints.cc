@@ -1,9 +1,9 @@
 #include <deal.II/numerics/rtree.h>
 
-#include <setsudan/body/face_index.h>
 #include <setsudan/body/joints.h>
-#include <setsudan/body/overlapping_faces.h>
-#include <setsudan/body/pieces.h>
+#include <setsudan/mesh/face_index.h>
+#include <setsudan/mesh/overlapping_faces.h>
+#include <setsudan/mesh/pieces.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <deal.II/base/mpi.h>
 
-#include <setsudan/body/cell_lines.h>
-#include <setsudan/body/face_index.h>
 #include <setsudan/body/mesh_size.h>
+#include <setsudan/mesh/cell_lines.h>
+#include <setsudan/mesh/face_index.h>
 
 #include <cmath>
 #include <fstream>

@@ -1,6 +1,6 @@
-#include <setsudan/body/geometry.h>
-#include <setsudan/body/point_name.h>
 #include <setsudan/body/region.h>
+#include <setsudan/mesh/geometry.h>
+#include <setsudan/mesh/point_name.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
-#include <setsudan/elasticity/balance.h>
-#include <setsudan/elasticity/deformation_extremes.h>
+#include <setsudan/mechanics/balance.h>
+#include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/simulation/checks.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
-#include <setsudan/body/pieces.h>
-#include <setsudan/cut/loose_ties.h>
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/near_cut.h>
-#include <setsudan/cut/sides.h>
+#include <setsudan/cut/seam/loose_ties.h>
+#include <setsudan/cut/seam/sides.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/near_cut.h>
+#include <setsudan/mesh/pieces.h>
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/solver/condensed_equilibrium.h>
+#include <setsudan/solver/condensed/condensed_equilibrium.h>
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
-#include <setsudan/body/geometry.h>
-#include <setsudan/simulation/recorder.h>
+#include <setsudan/mesh/geometry.h>
+#include <setsudan/simulation/record/recorder.h>
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/simulation/equilibrium_choice.h>
-#include <setsudan/solver/condensed_equilibrium.h>
+#include <setsudan/solver/condensed/condensed_equilibrium.h>
 #include <setsudan/solver/equilibrium_ladder.h>
 
 namespace Setsudan

@@ -1,10 +1,10 @@
 #include <filesystem>
 #include <numeric>
-#include <setsudan/body/geometry.h>
-#include <setsudan/elasticity/hinges.h>
-#include <setsudan/elasticity/rigid_modes.h>
+#include <setsudan/mechanics/pieces/hinges.h>
+#include <setsudan/mesh/geometry.h>
 #include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/scene.h>
+#include <setsudan/space/rigid_modes.h>
 #include <sstream>
 
 namespace Setsudan

@@ -1,15 +1,15 @@
 #include <deal.II/base/mpi.h>
 
-#include <setsudan/elasticity/transfer.h>
+#include <setsudan/simulation/accuracy/choose_refinement.h>
+#include <setsudan/simulation/accuracy/state_error.h>
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/checks.h>
-#include <setsudan/simulation/choose_refinement.h>
 #include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/judgement.h>
-#include <setsudan/simulation/resumption.h>
+#include <setsudan/simulation/record/resumption.h>
 #include <setsudan/simulation/row_state.h>
 #include <setsudan/simulation/simulation.h>
-#include <setsudan/simulation/state_error.h>
+#include <setsudan/space/transfer.h>
 
 #include <sstream>
 

@@ -1,6 +1,6 @@
-#include <setsudan/body/geometry.h>
 #include <setsudan/body/mesh_size.h>
-#include <setsudan/output/piece_table.h>
+#include <setsudan/mesh/geometry.h>
+#include <setsudan/output/pieces/piece_table.h>
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/cut_body.h>

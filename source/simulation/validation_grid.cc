@@ -1,6 +1,6 @@
-#include <setsudan/body/point_name.h>
-#include <setsudan/output/element_order.h>
-#include <setsudan/output/piece_mesh.h>
+#include <setsudan/mesh/point_name.h>
+#include <setsudan/output/pieces/element_order.h>
+#include <setsudan/output/pieces/piece_mesh.h>
 #include <setsudan/simulation/validation.h>
 
 namespace Setsudan

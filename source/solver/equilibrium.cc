@@ -1,5 +1,5 @@
-#include <setsudan/elasticity/near_null_space.h>
 #include <setsudan/solver/equilibrium.h>
+#include <setsudan/space/near_null_space.h>
 
 #include <algorithm>
 #include <cmath>

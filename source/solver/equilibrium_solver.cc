@@ -1,6 +1,6 @@
 #include <setsudan/solver/equilibrium_solver.h>
 
-#include <setsudan/solver/linear_solver.h>
+#include <setsudan/solver/linear/linear_solver.h>
 
 #include <cmath>
 #include <limits>

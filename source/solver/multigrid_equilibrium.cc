@@ -1,8 +1,8 @@
 #include <deal.II/lac/solver_cg.h>
 
-#include <setsudan/solver/linear_solver.h>
+#include <setsudan/solver/linear/linear_solver.h>
+#include <setsudan/solver/multigrid/p_multigrid.h>
 #include <setsudan/solver/multigrid_equilibrium.h>
-#include <setsudan/solver/p_multigrid.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 // of the nodes' positions, and the same from every element.
 
 #include <setsudan/body/body.h>
-#include <setsudan/body/nodes.h>
+#include <setsudan/mesh/nodes.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Work in a child process: what it hands back, and how it can end without.
 
-#include <setsudan/body/child_process.h>
+#include <setsudan/body/gmsh/child_process.h>
 
 #include <csignal>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // A confined process reads files and starts threads, and neither writes files
 // nor runs commands.
 
-#include <setsudan/body/child_process.h>
-#include <setsudan/body/confinement.h>
+#include <setsudan/body/gmsh/child_process.h>
+#include <setsudan/body/gmsh/confinement.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // Meshes that come apart, without the surgery.
 #pragma once
 
-#include <setsudan/body/coarse_mesh.h>
+#include <setsudan/mesh/coarse_mesh.h>
 
 #include <map>
 #include <set>

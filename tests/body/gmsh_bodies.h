@@ -1,8 +1,8 @@
 // What the tests of gmsh files print of the bodies.
 #pragma once
 
-#include <setsudan/body/geometry.h>
-#include <setsudan/body/gmsh_file.h>
+#include <setsudan/body/gmsh/gmsh_file.h>
+#include <setsudan/mesh/geometry.h>
 
 #include <map>
 #include <set>

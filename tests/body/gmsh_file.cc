@@ -1,7 +1,7 @@
 // Bodies from gmsh geometries, and from meshes that gmsh writes of them: all
 // types of elements and versions of files, curved lines.
 
-#include <setsudan/body/gmsh_file.h>
+#include <setsudan/body/gmsh/gmsh_file.h>
 
 #include <gmsh.h>
 

@@ -1,7 +1,7 @@
 // Bodies from the text of gmsh files: groups, numbers, nodes in one place, and
 // cells that the file lists in directions of its own.
 
-#include <setsudan/body/gmsh_file.h>
+#include <setsudan/body/gmsh/gmsh_file.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Where bodies touch themselves without being joined, and where parts are
 // joined by lines and points only.
 
-#include <setsudan/body/gmsh_file.h>
+#include <setsudan/body/gmsh/gmsh_file.h>
 #include <setsudan/body/joints.h>
 
 #include "../test_setup.h"

@@ -2,7 +2,7 @@
 // that deal.II then has.
 
 #include <setsudan/body/mesh_size.h>
-#include <setsudan/elasticity/discretization.h>
+#include <setsudan/space/discretization.h>
 
 #include "../parameters/check.h"
 #include "../test_setup.h"

@@ -1,7 +1,7 @@
 // What reading gmsh files refuses, printed.
 #pragma once
 
-#include <setsudan/body/gmsh_file.h>
+#include <setsudan/body/gmsh/gmsh_file.h>
 
 #include <functional>
 #include <iostream>

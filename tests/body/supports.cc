@@ -1,8 +1,8 @@
 // What is held and moved: the nodes of groups, of boxes in space, and single
 // ones, found from every element that has them.
 
-#include <setsudan/body/nodes.h>
 #include <setsudan/body/supports.h>
+#include <setsudan/mesh/nodes.h>
 
 #include <cmath>
 #include <map>

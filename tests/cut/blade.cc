@@ -1,7 +1,7 @@
 // Rows, board, edge and lever rule of the blade, without solving.
 
-#include <setsudan/body/point_name.h>
-#include <setsudan/cut/seam.h>
+#include <setsudan/cut/seam/seam.h>
+#include <setsudan/mesh/point_name.h>
 #include <setsudan/simulation/cut_body.h>
 
 #include <map>

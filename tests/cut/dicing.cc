@@ -1,8 +1,8 @@
 // Boxes that are diced by one cut after another, in all orders: the dice are
 // boxes, with all that boxes have.
 
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/surface_choice.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/surface_choice.h>
 
 #include <algorithm>
 #include <cmath>

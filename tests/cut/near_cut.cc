@@ -2,9 +2,9 @@
 // small enough, both sides of a cut are alike, and the mesh that has been cut
 // gets the same cells from the record.
 
-#include <setsudan/body/point_name.h>
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/near_cut.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/near_cut.h>
+#include <setsudan/mesh/point_name.h>
 #include <setsudan/simulation/scene.h>
 
 #include <deal.II/base/mpi.h>

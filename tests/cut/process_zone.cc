@@ -2,14 +2,14 @@
 // at a face, and a quarter at an edge; on small and on large cells; and the
 // measures of stress that criteria compare.
 
-#include <setsudan/cut/process_zone.h>
-#include <setsudan/cut/yield_criterion.h>
+#include <setsudan/cut/yield/process_zone.h>
+#include <setsudan/cut/yield/yield_criterion.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
 
-#include "../elasticity/small_model.h"
+#include "../mechanics/small_model.h"
 #include "../test_setup.h"
 
 using namespace Setsudan;

@@ -2,9 +2,9 @@
 // falls into two. With straight lines, and with round ones, whose middle nodes
 // go with the elements.
 
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/sides.h>
-#include <setsudan/cut/surface_choice.h>
+#include <setsudan/cut/seam/sides.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/surface_choice.h>
 
 #include <algorithm>
 #include <cmath>

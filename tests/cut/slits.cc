@@ -1,8 +1,8 @@
 // Slits, which end inside the body, and cuts across them, in both orders: the
 // tip stays joined, and both orders give the same pieces.
 
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/surface_choice.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/surface_choice.h>
 #include <setsudan/simulation/scene.h>
 
 #include <string>

@@ -1,8 +1,8 @@
 // The surfaces that a cut can follow: which faces they are, which side is plus,
 // how well they fit, and what is none.
 
-#include <setsudan/body/face_index.h>
-#include <setsudan/cut/surface_choice.h>
+#include <setsudan/cut/surface/surface_choice.h>
+#include <setsudan/mesh/face_index.h>
 
 #include <algorithm>
 #include <cmath>

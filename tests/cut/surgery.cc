@@ -2,10 +2,10 @@
 // makes, the numbers of nodes on the two sides against the paper's formulas,
 // and the fan rule at tips and crossings.
 
-#include <setsudan/body/nodes.h>
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/sides.h>
-#include <setsudan/cut/surface_choice.h>
+#include <setsudan/cut/seam/sides.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/surface_choice.h>
+#include <setsudan/mesh/nodes.h>
 
 #include <cmath>
 #include <numeric>

@@ -1,10 +1,10 @@
 // What a piece consists of, counted by the vertices that its cells name.
 #pragma once
 
-#include <setsudan/body/coarse_mesh.h>
-#include <setsudan/body/face_index.h>
-#include <setsudan/body/geometry.h>
-#include <setsudan/body/pieces.h>
+#include <setsudan/mesh/coarse_mesh.h>
+#include <setsudan/mesh/face_index.h>
+#include <setsudan/mesh/geometry.h>
+#include <setsudan/mesh/pieces.h>
 
 #include <algorithm>
 #include <iostream>

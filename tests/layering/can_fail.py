@@ -7,28 +7,33 @@ import tempfile
 
 from layering import ROOMS, find_problems
 
-HOUSE = {f"include/setsudan/{room}/{room}.h": "#pragma once\n" for room in ROOMS}
+HOUSE = {f"include/setsudan/{room}/x.h": "#pragma once\n" for room in ROOMS}
 HOUSE.update(
-    {f"source/{room}/{room}.cc": f"#include <setsudan/{room}/{room}.h>\n" for room in ROOMS}
+    {f"source/{room}/x.cc": f"#include <setsudan/{room}/x.h>\n" for room in ROOMS}
 )
-HOUSE["source/main.cc"] = "#include <setsudan/simulation/simulation.h>\n"
-HOUSE["include/setsudan/cut/cut.h"] = "#include <setsudan/body/body.h>\n"
-HOUSE["include/setsudan/cut/row.h"] = "#include <setsudan/cut/cut.h>\n"
+HOUSE["source/main.cc"] = "#include <setsudan/simulation/x.h>\n"
+HOUSE["include/setsudan/cut/seam/x.h"] = "#include <setsudan/body/x.h>\n"
+HOUSE["include/setsudan/cut/seam/row.h"] = "#include <setsudan/cut/seam/x.h>\n"
+HOUSE["source/body/gmsh/x.cc"] = "#include <setsudan/body/x.h>\n"
+HOUSE["source/body/x.cc"] = "#include <setsudan/body/gmsh/x.h>\n"
 
 # A file, its new text, and what the message about it must contain.
 SPOILT = [
-    ("include/setsudan/body/body.h", "#include <setsudan/cut/cut.h>", "must not know"),
-    ("source/solver/solver.cc", "#include <setsudan/cut/cut.h>", "must not know"),
-    ("source/solver/solver.cc", "  #  include <setsudan/output/output.h>", "must not"),
-    ("source/main.cc", "#include <setsudan/cut/cut.h>", "must not know"),
-    ("source/cut/cut.cc", '#include "../output/output.h"', "write <setsudan/"),
-    ("source/cut/cut.cc", "#include <setsudan/cut/gone.h>", "does not exist"),
-    ("source/cut/cut.cc", "#include <setsudan/cut.h>", "does not exist"),
-    ("include/setsudan/cut/cut.h", "#include <setsudan/cut/row.h>", "each other"),
-    ("include/setsudan/cut/cut.h", "#include <setsudan/cut/cut.h>", "each other"),
+    ("include/setsudan/body/x.h", "#include <setsudan/cut/seam/x.h>", "must not know"),
+    ("source/solver/x.cc", "#include <setsudan/cut/seam/x.h>", "must not know"),
+    ("source/solver/x.cc", "  #  include <setsudan/output/x.h>", "must not"),
+    ("source/cut/surface/x.cc", "#include <setsudan/cut/seam/x.h>", "must not know"),
+    ("source/body/gmsh/x.cc", "#include <setsudan/space/x.h>", "must not know"),
+    ("source/main.cc", "#include <setsudan/cut/seam/x.h>", "must not know"),
+    ("source/cut/seam/x.cc", '#include "../output/x.h"', "write <setsudan/"),
+    ("source/cut/seam/x.cc", "#include <setsudan/cut/gone.h>", "does not exist"),
+    ("source/cut/seam/x.cc", "#include <setsudan/cut.h>", "does not exist"),
+    ("include/setsudan/cut/seam/x.h", "#include <setsudan/cut/seam/row.h>", "each other"),
+    ("include/setsudan/cut/seam/x.h", "#include <setsudan/cut/seam/x.h>", "each other"),
     ("include/setsudan/kitchen/pan.h", "", "is in no room"),
     ("source/helpers.cc", "", "is in no room"),
-    ("include/setsudan/cut/deeper/pan.h", "", "is in no room"),
+    ("include/setsudan/cut/pan.h", "", "is in no room"),
+    ("include/setsudan/cut/seam/deeper/pan.h", "", "is in no room"),
 ]
 
 

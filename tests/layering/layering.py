@@ -1,5 +1,6 @@
 """The rooms of the house are in an order, and a file may include only files of
-its own room and of rooms before it; no file includes itself, by whatever way.
+its own room and of rooms before it; a folder within a room may include the
+room's own files as well. No file includes itself, by whatever way.
 
 usage: layering.py DIRECTORY   (with include/setsudan and source in it)
 """
@@ -12,17 +13,33 @@ ROOMS = [
     "parameters",
     "element",
     "kernel",
+    "mesh",
+    "body/gmsh",
     "body",
-    "elasticity",
+    "space",
+    "material",
+    "mechanics/stress",
+    "mechanics/pieces",
+    "mechanics",
+    "solver/linear",
+    "solver/multigrid",
+    "solver/condensed",
     "solver",
-    "cut",
-    "accuracy",
+    "blade",
+    "cut/surface",
+    "cut/seam",
+    "cut/yield",
+    "output/frames",
+    "output/tables",
+    "output/pieces",
     "output",
+    "simulation/accuracy",
+    "simulation/record",
     "simulation",
 ]
 
 # What source/main.cc may include, which belongs to no room.
-ROOMS_OF_MAIN = ["parameters", "kernel", "simulation"]
+ROOMS_OF_MAIN = ["parameters", "kernel", "simulation", "simulation/record"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
@@ -37,16 +54,21 @@ def source_files(root):
 
 def room_of(name):
     """The room of a file, or None for main.cc and for strangers."""
-    parts = name[len("include/") :].split("/") if name.startswith("include") else None
-    parts = parts or name.split("/")
-    return parts[1] if len(parts) == 3 and parts[1] in ROOMS else None
+    for folder in ("include/setsudan/", "source/"):
+        if name.startswith(folder):
+            room = str(pathlib.PurePosixPath(name[len(folder) :]).parent)
+            return room if room in ROOMS else None
+    return None
 
 
 def allowed_rooms(name):
     if name == "source/main.cc":
         return ROOMS_OF_MAIN
     room = room_of(name)
-    return ROOMS[: ROOMS.index(room) + 1] if room else []
+    if not room:
+        return []
+    parent = str(pathlib.PurePosixPath(room).parent)
+    return ROOMS[: ROOMS.index(room) + 1] + [parent]
 
 
 def included_headers(name, text, problems):

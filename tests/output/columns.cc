@@ -1,7 +1,7 @@
 // The table of statistics.csv's columns in doc/results.md: the expected output
 // is that table, and `scripts/document` writes both.
 
-#include <setsudan/output/statistics_columns.h>
+#include <setsudan/output/tables/statistics_columns.h>
 
 #include <iostream>
 

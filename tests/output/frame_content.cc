@@ -1,10 +1,10 @@
 // A frame shows at the nodes of all cells where they are, and the displacement
 // and the stress there.
 
-#include <setsudan/elasticity/strain_recovery.h>
-#include <setsudan/output/frame_content.h>
+#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/output/frames/frame_content.h>
 
-#include "../elasticity/many_models.h"
+#include "../mechanics/many_models.h"
 
 using namespace Setsudan;
 

@@ -2,18 +2,18 @@
 // groups are those of the body, with the faces that the cut has opened. What is
 // written for gmsh is read as the same body.
 
-#include <setsudan/body/gmsh_file.h>
-#include <setsudan/body/pieces.h>
-#include <setsudan/cut/mesh_surgery.h>
-#include <setsudan/cut/surface_choice.h>
-#include <setsudan/output/piece_mesh.h>
+#include <setsudan/body/gmsh/gmsh_file.h>
+#include <setsudan/cut/surface/mesh_surgery.h>
+#include <setsudan/cut/surface/surface_choice.h>
+#include <setsudan/mesh/pieces.h>
+#include <setsudan/output/pieces/piece_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 
-#include "../elasticity/small_model.h"
+#include "../mechanics/small_model.h"
 #include "../parameters/check.h"
 #include "../test_setup.h"
 

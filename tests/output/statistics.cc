@@ -1,7 +1,7 @@
 // The table of events: the columns that scripts rely on, the values in the
 // columns of their names, and a whole table when it is written.
 
-#include <setsudan/output/statistics.h>
+#include <setsudan/output/tables/statistics.h>
 #include <setsudan/parameters/lists.h>
 
 #include <fstream>

@@ -4,7 +4,7 @@
 // again.
 
 #include <setsudan/simulation/state.h>
-#include <setsudan/solver/condensed_equilibrium.h>
+#include <setsudan/solver/condensed/condensed_equilibrium.h>
 #include <setsudan/solver/equilibrium.h>
 
 #include <cmath>

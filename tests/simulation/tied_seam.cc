@@ -2,8 +2,8 @@
 // next to elements that are refined and that are not, under supports and clamps
 // that the cut goes through, and across the cuts before it.
 
-#include <setsudan/elasticity/transfer.h>
 #include <setsudan/simulation/state.h>
+#include <setsudan/space/transfer.h>
 
 #include <deal.II/base/mpi.h>
 

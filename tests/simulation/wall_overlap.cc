@@ -1,10 +1,10 @@
 // The overlap of a cut's walls: a displacement that presses the two sides
 // together by a known amount, on one process and on two.
 
-#include <setsudan/cut/wall_overlap.h>
+#include <setsudan/cut/seam/wall_overlap.h>
 #include <setsudan/simulation/cut_body.h>
 
-#include "../elasticity/small_model.h"
+#include "../mechanics/small_model.h"
 #include "../parameters/check.h"
 #include "../test_setup.h"
 

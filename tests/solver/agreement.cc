@@ -1,14 +1,14 @@
 // The direct solvers, for small and for larger bodies, and the iterative one
 // give the same displacement.
 
-#include <setsudan/solver/direct_solver.h>
+#include <setsudan/solver/linear/direct_solver.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <sstream>
 #include <string>
 
-#include "../elasticity/solved_model.h"
+#include "../mechanics/solved_model.h"
 #include "../test_setup.h"
 
 using namespace Setsudan;

@@ -6,13 +6,13 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <setsudan/kernel/blas.h>
-#include <setsudan/solver/condensation.h>
-#include <setsudan/solver/growing_cholesky.h>
-#include <setsudan/solver/uncoupled_parts.h>
+#include <setsudan/solver/condensed/condensation.h>
+#include <setsudan/solver/condensed/growing_cholesky.h>
+#include <setsudan/solver/condensed/uncoupled_parts.h>
 
 #include <cmath>
 
-#include "../elasticity/solved_model.h"
+#include "../mechanics/solved_model.h"
 #include "../test_setup.h"
 
 using namespace Setsudan;

@@ -1,11 +1,11 @@
 // What a solver says that did not solve: an iteration that is not allowed to
 // take long enough, and bodies that nothing holds.
 
-#include <setsudan/solver/linear_solver.h>
+#include <setsudan/solver/linear/linear_solver.h>
 
 #include <string>
 
-#include "../elasticity/solved_model.h"
+#include "../mechanics/solved_model.h"
 #include "../test_setup.h"
 
 using namespace Setsudan;

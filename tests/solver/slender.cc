@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "../elasticity/solved_model.h"
+#include "../mechanics/solved_model.h"
 #include "../test_setup.h"
 
 using namespace Setsudan;

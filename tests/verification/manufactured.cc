@@ -3,8 +3,8 @@
 // and stress in the L2 norm, while a body of distorted or curved elements is
 // refined. Quadratic elements promise the orders 3 and 2.
 
-#include "../elasticity/exact_problem.h"
-#include "../elasticity/small_model.h"
+#include "../mechanics/exact_problem.h"
+#include "../mechanics/small_model.h"
 #include "../test_setup.h"
 
 using namespace Setsudan;

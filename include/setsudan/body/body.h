@@ -3,8 +3,8 @@
 #include <deal.II/base/point.h>
 
 #include <setsudan/body/box_numbering.h>
-#include <setsudan/body/coarse_mesh.h>
 #include <setsudan/body/group.h>
+#include <setsudan/mesh/coarse_mesh.h>
 
 #include <array>
 #include <optional>

@@ -4,7 +4,7 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <setsudan/body/entity_key.h>
+#include <setsudan/mesh/entity_key.h>
 
 #include <string>
 #include <vector>

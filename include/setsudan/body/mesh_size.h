@@ -1,8 +1,8 @@
 #pragma once
 
 #include <setsudan/body/box_numbering.h>
-#include <setsudan/body/coarse_mesh.h>
 #include <setsudan/element/element_type.h>
+#include <setsudan/mesh/coarse_mesh.h>
 #include <setsudan/parameters/parameters.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/output/statistics.h>
+#include <setsudan/output/tables/statistics.h>
 #include <setsudan/simulation/cut_body.h>
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <setsudan/cut/wall_overlap.h>
-#include <setsudan/output/event.h>
+#include <setsudan/cut/seam/wall_overlap.h>
+#include <setsudan/output/tables/event.h>
 #include <setsudan/simulation/state.h>
 
 namespace Setsudan

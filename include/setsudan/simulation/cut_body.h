@@ -1,10 +1,10 @@
 #pragma once
 
-#include <setsudan/cut/row_areas.h>
-#include <setsudan/cut/seam_cells.h>
-#include <setsudan/elasticity/elastic_model.h>
-#include <setsudan/elasticity/piece_motions.h>
-#include <setsudan/output/frame_content.h>
+#include <setsudan/cut/seam/row_areas.h>
+#include <setsudan/cut/seam/seam_cells.h>
+#include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/mechanics/pieces/piece_motions.h>
+#include <setsudan/output/frames/frame_content.h>
 #include <setsudan/simulation/equilibrium_choice.h>
 
 #include <memory>

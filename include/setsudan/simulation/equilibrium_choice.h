@@ -1,7 +1,7 @@
 #pragma once
 
-#include <setsudan/cut/seam.h>
-#include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/cut/seam/seam.h>
+#include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/simulation/scene.h>
 #include <setsudan/solver/equilibrium_solver.h>
 

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <setsudan/accuracy/accuracy_parameters.h>
+#include <setsudan/blade/blade.h>
 #include <setsudan/body/body_parameters.h>
 #include <setsudan/body/supports.h>
-#include <setsudan/cut/blade.h>
-#include <setsudan/cut/cut_parameters.h>
-#include <setsudan/cut/rows.h>
-#include <setsudan/cut/yield_criterion.h>
-#include <setsudan/elasticity/loads.h>
-#include <setsudan/elasticity/material_parameters.h>
+#include <setsudan/cut/seam/rows.h>
+#include <setsudan/cut/surface/cut_parameters.h>
+#include <setsudan/cut/yield/yield_criterion.h>
+#include <setsudan/material/material_parameters.h>
+#include <setsudan/mechanics/loads.h>
 #include <setsudan/output/output_directory.h>
+#include <setsudan/simulation/accuracy/accuracy_parameters.h>
 #include <setsudan/solver/solver_parameters.h>
 
 #include <string>

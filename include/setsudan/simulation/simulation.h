@@ -1,8 +1,8 @@
 #pragma once
 
-#include <setsudan/simulation/checkpoint_keeper.h>
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/simulation/recorder.h>
+#include <setsudan/simulation/record/checkpoint_keeper.h>
+#include <setsudan/simulation/record/recorder.h>
 #include <setsudan/simulation/state.h>
 
 #include <optional>

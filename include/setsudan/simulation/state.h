@@ -2,7 +2,7 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <setsudan/elasticity/balance.h>
+#include <setsudan/mechanics/balance.h>
 #include <setsudan/simulation/cut_body.h>
 #include <setsudan/solver/equilibrium.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/output/vtu.h>
+#include <setsudan/output/frames/vtu.h>
 #include <setsudan/simulation/scene.h>
 
 #include <map>

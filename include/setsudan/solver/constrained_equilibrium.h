@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/elasticity/elastic_model.h>
+#include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/solver/equilibrium_solver.h>
 #include <setsudan/solver/solver_parameters.h>
 

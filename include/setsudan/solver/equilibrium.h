@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/solver/constrained_equilibrium.h>
-#include <setsudan/solver/linear_solver.h>
+#include <setsudan/solver/linear/linear_solver.h>
 
 namespace Setsudan
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/elasticity/linear_algebra.h>
+#include <setsudan/space/linear_algebra.h>
 
 #include <functional>
 #include <string>

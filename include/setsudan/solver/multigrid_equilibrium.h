@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/elasticity/cell_batches.h>
+#include <setsudan/mechanics/cell_batches.h>
 #include <setsudan/solver/constrained_equilibrium.h>
 
 #include <memory>

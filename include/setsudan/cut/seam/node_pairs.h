@@ -1,0 +1,71 @@
+#pragma once
+
+#include <deal.II/base/tensor.h>
+
+#include <setsudan/cut/surface/cut_surface.h>
+#include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/mesh/point_name.h>
+
+#include <bitset>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * A node of the cut surface as its two sides have it. Before the surgery, and
+ * at the tip of a cut that ends inside the body, both are the same node.
+ */
+template <int dim>
+struct NodePair
+{
+  using NodeIndices = typename Discretization<dim>::NodeIndices;
+
+  /** The node in the uncut body. */
+  PointName name;
+  /** An element that has it on the minus side. */
+  unsigned int element;
+  /** One that has it on the plus side. */
+  unsigned int plus_element;
+  dealii::Point<dim> position;
+  /** Unit normal of the cut there, from minus to plus. */
+  dealii::Tensor<1, dim> normal;
+  /** Whether it is a corner of cells, and not the middle of an edge. */
+  bool is_corner;
+  /** Whether the cut will divide it, or has. */
+  bool is_divided;
+  NodeIndices minus;
+  NodeIndices plus;
+  /** Components that a support holds, on both sides. */
+  std::bitset<dim> supported;
+
+  /** Whether the two sides have a node each. */
+  bool
+  is_double() const;
+};
+
+/** The nodes of a cut. */
+template <int dim>
+struct SurfaceNodes
+{
+  /** In the order of their names. */
+  std::vector<NodePair<dim>> pairs;
+  /** The pairs of each face of a (refined) cell on the cut. */
+  std::vector<std::vector<unsigned int>> faces;
+};
+
+/**
+ * All node pairs of a cut surface, the same on every process. They are found
+ * face by face and by name: a position alone may belong to several nodes once
+ * the body has been cut before, or where cells are refined.
+ *
+ * @param split the mesh after the surgery along this surface, whether it has
+ * been made or not.
+ * @pre no node of the surface hangs (see refine_near_cuts()).
+ */
+template <int dim>
+SurfaceNodes<dim>
+collect_surface_nodes(const ElasticModel<dim> &model,
+                      const CutSurface<dim> &surface,
+                      const Body<dim> &body,
+                      const CoarseMesh<dim> &split);
+} // namespace Setsudan

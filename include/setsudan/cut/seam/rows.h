@@ -1,0 +1,68 @@
+#pragma once
+
+#include <setsudan/cut/seam/fronts.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/** Subsection `Division`: how the cut advances. */
+struct DivisionParameters
+{
+  enum class Release
+  {
+    node_row,
+    element_row
+  };
+  enum class LoadControl
+  {
+    constant,
+    ramp
+  };
+
+  /** How the states behind each row are solved. */
+  enum class Solve
+  {
+    automatic,
+    one_factorization,
+    condensed,
+    anew,
+    iterative
+  };
+
+  Release release;
+  /** Whether the blade keeps the sides of split rows apart; else they are
+   * free. */
+  bool opens;
+  /** In shortest lines of the cut. */
+  double row_tolerance;
+  LoadControl load_control;
+  double max_load_factor;
+  Solve solve;
+
+  static void
+  declare(dealii::ParameterHandler &handler);
+
+  explicit DivisionParameters(const Parameters &parameters);
+};
+
+/**
+ * The rows of a cut, entry first. Nodes that the blade reaches together, up to
+ * `tolerance` of the shortest line on the cut, are a layer. Layers are rows of
+ * their own, or with `element_row` layers of corner nodes take the mid-side
+ * layers behind with them, so that the front always rests on corner nodes.
+ *
+ * A layer of which the cut divides nothing (the tip of a slit), or whose nodes
+ * are all supported (on the board), needs no division: it goes together with
+ * the row before it, or with the first one behind.
+ *
+ * Positions along the edge are coordinates of the axis nearest to it. Where no
+ * such axis follows the fronts, because they are closed or run back, positions
+ * are lengths along the front, from its end with the smallest coordinate.
+ */
+template <int dim>
+std::vector<Row>
+make_rows(const SurfaceNodes<dim> &nodes,
+          const BladeEdge<dim> &edge,
+          const DivisionParameters &division);
+} // namespace Setsudan

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <setsudan/cut/seam/seam.h>
+#include <setsudan/mechanics/stress/node_stresses.h>
+
+#include <utility>
+#include <vector>
+
+namespace Setsudan
+{
+/** The cells of this process that meet the nodes of a seam, and the stresses at
+ * these nodes; what is always the same is found once. */
+template <int dim>
+class SeamCells
+{
+public:
+  using Cell = typename Discretization<dim>::Cell;
+
+  /** A cell, some of its nodes, and the pair of each. */
+  struct Meeting
+  {
+    Cell cell;
+    std::vector<unsigned int> nodes;
+    std::vector<unsigned int> pairs;
+  };
+
+  /** @param model must live as long. */
+  SeamCells(const ElasticModel<dim> &model, const Seam<dim> &seam);
+
+  /** The cells that meet the front of a row, in the order of the mesh. */
+  std::vector<Meeting>
+  at_front(const Row &row) const;
+
+  const NodeStresses<dim> stresses;
+
+private:
+  std::vector<Cell> cells;
+  /** For each pair the cells, by their places in the list, and their nodes. */
+  std::vector<std::vector<std::pair<unsigned int, unsigned int>>> of_pairs;
+};
+} // namespace Setsudan

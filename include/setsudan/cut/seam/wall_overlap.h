@@ -1,0 +1,31 @@
+#pragma once
+
+#include <setsudan/cut/seam/seam.h>
+
+namespace Setsudan
+{
+/** Where the two walls of a cut have moved through each other the farthest. */
+template <int dim>
+struct WallOverlap
+{
+  /** How far, along the cut's normal [length]; 0 where they have not. */
+  double depth = 0;
+  /** The place, in the body at rest, and the number of the cut. */
+  dealii::Point<dim> position;
+  unsigned int cut = 0;
+};
+
+/**
+ * The largest overlap at the node pairs that nothing holds together any more:
+ * n.(u+ - u-) < 0. Nothing in a body without contact prevents it. Called by all
+ * processes.
+ *
+ * @param seams        of all cuts.
+ * @param displacement without ghosts.
+ */
+template <int dim>
+WallOverlap<dim>
+find_wall_overlap(const std::vector<Seam<dim>> &seams,
+                  const LA::Vector &displacement,
+                  const MPI_Comm communicator);
+} // namespace Setsudan

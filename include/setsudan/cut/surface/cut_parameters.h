@@ -1,0 +1,45 @@
+#pragma once
+
+#include <setsudan/blade/blade.h>
+#include <setsudan/blade/blade_edge.h>
+#include <setsudan/body/supports.h>
+#include <setsudan/cut/surface/surface_choice.h>
+
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** One cut: where it goes, and how the blade makes it. */
+template <int dim>
+struct Cut
+{
+  /** As the scene has it. */
+  std::string text;
+  ChosenSurface<dim> surface;
+  BladeEdge<dim> edge;
+  std::vector<EdgeLoad> edge_loads;
+};
+
+/** Subsection `Cut`: where the body is cut, one cut after the other. */
+template <int dim>
+struct CutParameters
+{
+  static void
+  declare(dealii::ParameterHandler &handler);
+
+  /** @throw SceneError for a surface that cannot be cut, or not by the blade.
+   */
+  CutParameters(const Parameters &parameters,
+                const Body<dim> &body,
+                const Supports<dim> &supports,
+                const BladeParameters<dim> &blade);
+
+  std::vector<Cut<dim>> cuts;
+
+  /** How often elements near the cuts are halved along each axis. */
+  unsigned int near_cut_levels = 0;
+  /** Up to which distance from a cut. */
+  double near_cut_width = 0;
+};
+} // namespace Setsudan

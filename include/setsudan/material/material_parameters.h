@@ -1,0 +1,67 @@
+#pragma once
+
+#include <setsudan/body/body.h>
+#include <setsudan/material/material.h>
+#include <setsudan/parameters/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** What a part of the body is made of. */
+struct Material
+{
+  Hooke hooke;
+  double shear_limit;
+  /** Energy per new area that a blade of sharpness 0 needs [force/length]. */
+  double toughness;
+  /** Whether the change of volume is projected (see Dilatation). */
+  bool is_mixed;
+};
+
+/** Subsection `Material`: the materials, and which element has which. */
+template <int dim>
+class MaterialParameters
+{
+public:
+  static void
+  declare(dealii::ParameterHandler &handler);
+
+  /** @throw SceneError for a value that no material has, or a group of
+   * elements that the body does not have. */
+  MaterialParameters(const Parameters &parameters, const Body<dim> &body);
+
+  const Material &
+  of_element(const unsigned int element) const;
+
+  /** Number of the element's material, from 0. */
+  unsigned int
+  number(const unsigned int element) const;
+
+  unsigned int
+  n_materials() const;
+
+  /** The smallest shear limit of all. */
+  double
+  smallest_shear_limit() const;
+
+  /** The smallest toughness of all. */
+  double
+  smallest_toughness() const;
+
+  /** Whether some of the materials need the mixed formulation. */
+  bool
+  any_is_mixed() const;
+
+  double linear_range;
+  /** Whether the scene names the formulation, rather than leave it to
+   * Poisson's ratio. */
+  bool formulation_is_named;
+
+private:
+  std::vector<Material> materials;
+  /** Empty where there is one material only. */
+  std::vector<unsigned int> material_of_element;
+};
+} // namespace Setsudan

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/space/rigid_modes.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/** A piece that can move rigidly, and what would hold it. */
+struct LoosePiece
+{
+  unsigned int piece;
+  /** Vertices of the mesh and components to hold, one per rigid motion. Empty
+   * for a piece that others hold once they are held themselves. */
+  std::vector<PointComponent> hold;
+
+  bool
+  operator==(const LoosePiece &other) const
+  {
+    return piece == other.piece && hold == other.hold;
+  }
+};
+
+/** The unknowns that hold loose pieces, the same on all processes.
+ *
+ * @param pieces the piece of every element (see find_pieces()). */
+template <int dim>
+std::vector<dealii::types::global_dof_index>
+unknowns_of_hold(const Discretization<dim> &discretization,
+                 const CoarseMesh<dim> &mesh,
+                 const std::vector<unsigned int> &pieces,
+                 const std::vector<LoosePiece> &loose);
+
+/** Constrain all unknowns of a piece that is left out: it stays at rest. */
+template <int dim>
+void
+constrain_dropped_piece(const Discretization<dim> &discretization,
+                        const std::vector<unsigned int> &pieces,
+                        const LoosePiece &loose,
+                        dealii::AffineConstraints<double> &constraints);
+
+/** Take the loads and prescribed displacements off a piece that is left out. */
+template <int dim>
+void
+remove_loads_from_piece(const std::vector<unsigned int> &pieces,
+                        const LoosePiece &loose,
+                        ElasticModel<dim> &model);
+} // namespace Setsudan

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <setsudan/mechanics/pieces/loose_pieces.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace Setsudan
+{
+/** Two pieces that move alike at a point, along one direction. */
+template <int dim>
+struct PieceLink
+{
+  std::array<unsigned int, 2> pieces;
+  dealii::Point<dim> position;
+  dealii::Tensor<1, dim> direction;
+};
+
+/** Linked pieces of which supports and links do not stop all rigid motions. */
+template <int dim>
+struct LooseGroup
+{
+  /** All pieces of the group; its bodies are in this order. */
+  std::vector<unsigned int> pieces;
+  /** By supports and links, without what would hold the rest. */
+  HeldMotions<dim> held;
+  /** Those of the pieces that can move. */
+  std::vector<LoosePiece> loose;
+};
+
+/**
+ * How the pieces of a body can move as rigid bodies. The links between them,
+ * which a cut reduces row by row, are given each time; what the supports hold
+ * is found once.
+ */
+template <int dim>
+class PieceMotions
+{
+public:
+  /** @param pieces the piece of every element (see find_pieces()). */
+  PieceMotions(const CoarseMesh<dim> &mesh,
+               const std::vector<unsigned int> &pieces,
+               const Supports<dim> &supports);
+
+  /** Whether every piece is held by supports of its own, so that links do not
+   * matter. */
+  bool
+  all_held() const;
+
+  std::vector<LooseGroup<dim>>
+  find_loose(const std::vector<PieceLink<dim>> &links) const;
+
+private:
+  struct Piece
+  {
+    std::vector<unsigned int> vertices;
+    std::vector<dealii::Point<dim>> positions;
+    std::vector<HeldPoint<dim>> supports;
+  };
+
+  LooseGroup<dim>
+  make_group(const std::vector<unsigned int> &numbers,
+             const std::vector<const PieceLink<dim> *> &links) const;
+
+  /** By number, those that their own supports do not hold. */
+  std::map<unsigned int, Piece> unheld;
+};
+
+/**
+ * Check that the loads do no work in the motions of a loose group, so that
+ * holding its pieces at a few points puts no force into them.
+ *
+ * @throw std::runtime_error where they do: then nothing keeps the pieces.
+ */
+template <int dim>
+void
+check_loads_on_loose_group(const ElasticModel<dim> &model,
+                           const std::vector<unsigned int> &pieces,
+                           const LooseGroup<dim> &group);
+} // namespace Setsudan

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <setsudan/material/material_parameters.h>
+#include <setsudan/mechanics/dilatation.h>
+#include <setsudan/space/cell_shapes.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The stiffness matrix of every element (equation 15 of Kakefuda et al. 1996),
+ * integrated by Gauss's rule with 3 points in each direction: fewer leave
+ * spurious modes in an element that a cut has set free.
+ *
+ * A cell of the same shape and material as the one before gets the same matrix,
+ * so that a box needs one integration only.
+ */
+template <int dim>
+class ElementStiffness
+{
+public:
+  using Cell = typename Discretization<dim>::Cell;
+
+  /** @param materials must live as long. */
+  ElementStiffness(const Discretization<dim> &discretization,
+                   const MaterialParameters<dim> &materials);
+
+  /** The matrix of a cell, rows in the order of the cell's unknowns. */
+  const dealii::FullMatrix<double> &
+  operator()(const Cell &cell);
+
+  /** How many matrices have been integrated so far. */
+  unsigned int
+  n_integrations() const;
+
+private:
+  void
+  integrate(const Cell &cell, const Material &material);
+
+  /** The change of volume that each shape function makes at each Gauss point
+   * of the present cell. */
+  std::vector<std::vector<double>>
+  dilatations(const bool are_projected) const;
+
+  const Discretization<dim> &discretization;
+  const MaterialParameters<dim> &materials;
+  dealii::FEValues<dim> fe_values;
+  dealii::FullMatrix<double> matrix;
+  CellShapes<dim> shapes;
+  unsigned int last_material = 0;
+  unsigned int integrations  = 0;
+};
+
+/**
+ * The nodal forces K u by which the elements resist a displacement, with no
+ * constraint applied.
+ *
+ * @param displacement with ghosts.
+ * @return a vector without ghosts.
+ */
+template <int dim>
+LA::Vector
+internal_forces(const Discretization<dim> &discretization,
+                ElementStiffness<dim> &stiffness,
+                const LA::Vector &displacement);
+
+/**
+ * Assemble the stiffness matrix of the body, condensed with `constraints`.
+ *
+ * Ties across a cut couple unknowns that no cell of this process has; the
+ * constraints' local lines must contain them.
+ */
+template <int dim>
+void
+assemble_stiffness(const Discretization<dim> &discretization,
+                   ElementStiffness<dim> &stiffness,
+                   const dealii::AffineConstraints<double> &constraints,
+                   LA::SparseMatrix &matrix);
+} // namespace Setsudan

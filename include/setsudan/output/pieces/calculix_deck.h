@@ -1,0 +1,21 @@
+#pragma once
+
+#include <setsudan/output/output_directory.h>
+#include <setsudan/output/pieces/nodal_problem.h>
+
+#include <string>
+
+namespace Setsudan
+{
+/**
+ * Write a solved problem as `name`.inp, a complete input deck for CalculiX
+ * (ccx 2.20) with elements C3D20, in 2D CPE8, and what Setsudan has found as
+ * `name`.csv, a line for each node of the deck. Supports become *BOUNDARY;
+ * ties, openings and hanging nodes *EQUATION.
+ */
+template <int dim>
+void
+write_calculix_deck(const NodalProblem<dim> &problem,
+                    const OutputDirectory &directory,
+                    const std::string &name);
+} // namespace Setsudan

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <setsudan/output/tables/event.h>
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Setsudan
+{
+/** A column of statistics.csv. */
+struct StatisticsColumn
+{
+  std::string name;
+  /** In L and F, which stand for the scene's units of length and force; s is
+   * seconds, and - a number without unit. */
+  std::string unit;
+  std::string meaning;
+  /** Whether it is empty where only the front of a row is known. */
+  bool is_of_body;
+  std::function<std::string(const Event &)> text;
+};
+
+/** All columns, in their order.
+ *
+ * @param has_errors whether errors are estimated, which have columns then. */
+std::vector<StatisticsColumn>
+statistics_columns(const bool has_errors);
+
+/** Write what the columns mean as a table in Markdown. */
+void
+document_columns(std::ostream &out);
+} // namespace Setsudan

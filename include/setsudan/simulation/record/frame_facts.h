@@ -1,0 +1,18 @@
+#pragma once
+
+#include <setsudan/output/frames/frame_content.h>
+#include <setsudan/output/tables/statistics.h>
+#include <setsudan/simulation/state.h>
+
+namespace Setsudan
+{
+/** What the frame of a state says besides of its fields: the event, the units,
+ * and the blade with its row. */
+template <int dim>
+FrameFacts
+frame_facts(const Scene<dim> &scene,
+            const CutBody<dim> &body,
+            const BladeLoad<dim> &blade,
+            const Event &event,
+            const double time);
+} // namespace Setsudan

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <setsudan/solver/condensed/schur_complement.h>
+#include <setsudan/solver/linear/cholesky_factor.h>
+
+#include <memory>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * A stiffness matrix of which all unknowns but those of a cut are eliminated,
+ * once for all loads and all that is done to the cut afterwards.
+ *
+ * The sides of a cut have nothing to do with each other before they are tied:
+ * each part of the matrix has a factor of its own, and they are worked on side
+ * by side on several cores.
+ */
+class Condensation
+{
+public:
+  /** @param cut ascending.
+   * @throw SolverError where the rest is not positive definite. */
+  Condensation(const LA::SparseMatrix &matrix,
+               const std::vector<unsigned int> &cut);
+
+  /** What the cut's unknowns are to each other, numbered as in the cut. */
+  const SchurComplement &
+  stiffness() const;
+
+  /** Loads that have been brought to the cut. */
+  struct Eliminated
+  {
+    /** In each part's order of elimination. */
+    std::vector<std::vector<double>> of_parts;
+    /** The forces on the cut. */
+    std::vector<double> on_cut;
+  };
+
+  Eliminated
+  eliminate(const LA::Vector &loads) const;
+
+  /** What must be done to recover some unknowns only. */
+  using Steps = std::vector<CholeskyFactor::Steps>;
+
+  Steps
+  steps_for(const std::vector<unsigned int> &unknowns) const;
+
+  /** The displacement x off the cut from that of the cut, and on it: of all
+   * unknowns, or of those that `steps` is for. */
+  void
+  recover(Eliminated loads,
+          const std::vector<double> &of_cut,
+          LA::Vector &x,
+          const Steps *steps = nullptr) const;
+
+private:
+  struct Part
+  {
+    std::unique_ptr<CholeskyFactor> factor;
+    /** Its unknowns of the cut, by their places there. */
+    std::vector<unsigned int> of_cut;
+  };
+
+  /** Factor a part and find its block of the stiffness. */
+  SchurComplement::Block
+  factorize(const LA::SparseMatrix &matrix,
+            const std::vector<unsigned int> &unknowns,
+            const double shift,
+            Part &part) const;
+
+  const std::vector<unsigned int> cut;
+  std::vector<Part> parts;
+  std::unique_ptr<SchurComplement> complement;
+  /** Whether threads take less time than they cost to begin. */
+  bool is_large = false;
+};
+} // namespace Setsudan

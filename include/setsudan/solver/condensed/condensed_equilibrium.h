@@ -1,0 +1,139 @@
+#pragma once
+
+#include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/solver/condensed/condensation.h>
+#include <setsudan/solver/condensed/reduced_cut.h>
+#include <setsudan/solver/equilibrium_solver.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The equilibrium of a body in which ties between some unknowns, those of a
+ * cut, are taken off step by step: exact in every step, from one factorization.
+ *
+ * All other unknowns are eliminated once. What remains is the stiffness that
+ * the cut's unknowns have, and of it each step takes what its ties leave: see
+ * ReducedCut.
+ *
+ * One process only.
+ */
+template <int dim>
+class CondensedEquilibrium : public EquilibriumSolver
+{
+public:
+  using Constraints = dealii::AffineConstraints<double>;
+
+  /**
+   * @param base what holds in all steps, closed.
+   * @param cut  the unknowns between which there are ties.
+   */
+  CondensedEquilibrium(ElasticModel<dim> &model,
+                       std::shared_ptr<const Constraints> base,
+                       const dealii::IndexSet &cut);
+
+  /** Go to a step: see ReducedCut::set_ties().
+   *
+   * @param step closed: `base`, and ties among the unknowns of the cut.
+   * @return false where a tie leads out of the cut, and nothing has changed. */
+  bool
+  set_constraints(std::shared_ptr<const Constraints> step);
+
+  /** Remember later steps, and factor them at once: see ReducedCut. */
+  bool
+  foresee(const Constraints &later);
+  void
+  factorize_foreseen();
+
+  /** What must be done to find some unknowns' displacement only. */
+  Condensation::Steps
+  steps_for(const std::vector<unsigned int> &unknowns) const;
+
+  /**
+   * The displacement of some unknowns in a step that has been foreseen; what it
+   * has in others is of no use. There is no residual to judge it by.
+   *
+   * @param step   as in ReducedCut::go_to(); nothing is returned where there
+   *   is none.
+   * @param wanted from steps_for().
+   */
+  std::optional<LA::Vector>
+  solve_partly(const unsigned int step,
+               const LA::Vector &forces,
+               const LA::Vector &prescribed,
+               const Condensation::Steps &wanted);
+
+  LA::Vector
+  solve(const LA::Vector &forces,
+        const LA::Vector &prescribed,
+        const LA::Vector &guess) override;
+
+  SolveQuality
+  quality_of_last() const override;
+
+  /** Bytes that the condensation of so many unknowns of a cut takes besides the
+   * factor. */
+  static double
+  memory(const unsigned int n_unknowns_of_cut);
+
+private:
+  /** Condensation::eliminate(), or what it made of the last loads that are
+   * remembered, where they are the same but for those on the cut. */
+  Condensation::Eliminated
+  eliminate(const LA::Vector &loads, const bool is_remembered);
+
+  /** The displacement that forces give, both obeying `base`, and the
+   * displacement but for the `opening` the step.
+   *
+   * @param opening what the cut's unknowns have besides; nothing if it is zero.
+   * @param wanted  what is to be found; nothing for all of it. */
+  LA::Vector
+  solve_for(const LA::Vector &b,
+            const std::vector<double> &opening,
+            const bool is_remembered,
+            const Condensation::Steps *wanted = nullptr);
+
+  /** The forces less what a displacement off the cut takes of them. */
+  LA::Vector
+  loads_beside(const LA::Vector &forces, const LA::Vector &beyond_cut);
+
+  /** What a displacement has on the cut, nothing if it is zero; the rest of it
+   * is left over. */
+  std::vector<double>
+  take_opening(LA::Vector &prescribed) const;
+
+  /** Set the quality of a solution.
+   *
+   * @throw SolverError where it is not good enough. */
+  void
+  judge(const LA::Vector &x,
+        const LA::Vector &rest,
+        const double scale,
+        const Mending &mending);
+
+  [[noreturn]] void
+  fail() const;
+
+  ElasticModel<dim> &model;
+  const std::shared_ptr<const Constraints> base;
+  std::shared_ptr<const Constraints> step;
+  /** The unknowns of the cut that `base` leaves free, ascending. */
+  std::vector<unsigned int> cut;
+  std::unique_ptr<Condensation> condensation;
+  std::unique_ptr<ReducedCut> reduced;
+  /** The largest sum of a row of the stiffness. */
+  double largest_entry = 0;
+  /** The last displacement beyond the cut that was prescribed, and K times it.
+   */
+  LA::Vector remembered_beyond, forces_of_beyond;
+  LA::Vector remembered_loads;
+  Condensation::Eliminated remembered;
+  SolveQuality quality;
+  /** The displacement for a residual of 1, and the largest displacement for
+   * loads of size 1, when the quality was last looked at closely. */
+  double per_residual = 0, known_compliance = 0;
+};
+} // namespace Setsudan

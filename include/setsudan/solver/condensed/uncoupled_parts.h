@@ -1,0 +1,23 @@
+#pragma once
+
+#include <setsudan/space/linear_algebra.h>
+
+#include <functional>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The unknowns of a matrix of one process, ascending, in the parts into which
+ * it falls: none has an entry with one of another part. Unknowns that stand
+ * alone are in the first part.
+ */
+std::vector<std::vector<unsigned int>>
+uncoupled_parts(const LA::SparseMatrix &matrix);
+
+/** Do something for each of some parts, on all cores, as if one part after the
+ * other were done: what fails is thrown. */
+void
+side_by_side(const unsigned int n_parts,
+             const std::function<void(unsigned int)> &work);
+} // namespace Setsudan

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <setsudan/solver/linear/cholesky_factor.h>
+#include <setsudan/solver/linear/linear_solver.h>
+
+namespace Setsudan
+{
+/** The supernodal Cholesky factorization of CHOLMOD, on one process. */
+class CholeskySolver : public LinearSolver
+{
+public:
+  void
+  initialize(const LA::SparseMatrix &matrix,
+             const std::vector<std::vector<double>> &rigid_modes) override;
+
+  void
+  solve(LA::Vector &x, const LA::Vector &b) override;
+
+  std::string
+  description() const override;
+
+private:
+  std::unique_ptr<CholeskyFactor> factor;
+};
+} // namespace Setsudan

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <setsudan/solver/linear/algebraic_multigrid.h>
+#include <setsudan/solver/linear/linear_solver.h>
+
+namespace Setsudan
+{
+/** Conjugate gradients, preconditioned by algebraic multigrid. */
+class IterativeSolver : public LinearSolver
+{
+public:
+  explicit IterativeSolver(const SolverParameters &parameters);
+
+  void
+  initialize(const LA::SparseMatrix &matrix,
+             const std::vector<std::vector<double>> &rigid_modes) override;
+
+  void
+  solve(LA::Vector &x, const LA::Vector &b) override;
+
+  void
+  approximate(LA::Vector &x, const LA::Vector &b) override;
+
+  std::string
+  description() const override;
+
+  bool
+  is_iterative() const override;
+
+private:
+  const SolverParameters parameters;
+  const LA::SparseMatrix *matrix = nullptr;
+  AlgebraicMultigrid multigrid;
+};
+} // namespace Setsudan

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <setsudan/solver/linear/algebraic_multigrid.h>
+#include <setsudan/solver/multigrid/vertex_space.h>
+
+#include <memory>
+
+namespace Setsudan
+{
+/**
+ * What corrects the smoother of multigrid: one cycle of algebraic multigrid on
+ * the stiffness of displacements that are linear between vertices.
+ *
+ * It takes most of the time to prepare, and can be kept where constraints are
+ * only taken away: what the ties of a cut allowed they still allow with a row
+ * less of them.
+ */
+template <int dim>
+class CoarseCorrection
+{
+public:
+  using Vector = typename CellBatches<dim>::Vector;
+
+  /** @param lines the constraints for the model's batches. */
+  CoarseCorrection(ElasticModel<dim> &model,
+                   const dealii::AffineConstraints<double> &constraints,
+                   const ConstraintLines &lines);
+
+  /** Whether the displacements of this space obey other constraints: whether
+   * one of them does that has no symmetry. */
+  bool
+  obeys(const ConstraintLines &others, const CellBatches<dim> &batches) const;
+
+  /** Add the displacement under forces to one that is constrained by `now`. */
+  void
+  add(Vector &displacement,
+      const Vector &forces,
+      const ConstraintLines &now) const;
+
+private:
+  const VertexSpace<dim> space;
+  const std::unique_ptr<const Epetra_CrsMatrix> stiffness;
+  AlgebraicMultigrid solver;
+  mutable Vector coarse_forces, correction;
+};
+} // namespace Setsudan

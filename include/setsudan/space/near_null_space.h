@@ -1,0 +1,14 @@
+#pragma once
+
+#include <setsudan/space/discretization.h>
+
+#include <vector>
+
+namespace Setsudan
+{
+/** The rigid motions of a body, which elements do not resist: for each its
+ * value in the unknowns at these sites, one vector each. */
+template <int dim>
+std::vector<std::vector<double>>
+rigid_modes_at(const std::vector<typename Discretization<dim>::Site> &sites);
+} // namespace Setsudan

@@ -1,0 +1,128 @@
+#include <setsudan/blade/blade.h>
+#include <setsudan/parameters/lists.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+void
+BladeParameters<dim>::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Sharpness",
+                    "0.5",
+                    Patterns::Double(),
+                    "From 0 (the whole shear limit is required) to 1 (the "
+                    "blade needs no force) [-].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Thickness",
+                    "0.2",
+                    Patterns::Double(),
+                    "How far the blade moves the two sides of the cut apart, "
+                    "at least 0 [length].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Direction",
+                    dim == 3 ? "0, 0, -1" : "0, -1",
+                    Patterns::Anything(),
+                    "The way of the blade; it is projected into the cut. One "
+                    "for all cuts, or one for each, separated by ';' [-].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Edge loads",
+                    "",
+                    Patterns::Anything(),
+                    dim == 3
+                      ? "The blade's forces along Direction, as 'position : "
+                        "force', separated by commas; the position is the "
+                        "coordinate of the axis nearest to the edge, or the "
+                        "length along the edge of a cut that no axis follows. "
+                        "One list for all cuts, or one for each, separated by "
+                        "';' [length : force]."
+                      : "The blade's force along Direction, as '0 : force': in "
+                        "2D the edge is a point [- : force/thickness].");
+}
+
+
+
+namespace
+{
+template <int dim>
+Tensor<1, dim>
+read_direction(const Parameters &parameters, const std::string &text)
+{
+  std::vector<double> components;
+  parameters.require(parse_numbers(text, components) &&
+                       components.size() == dim,
+                     "Blade",
+                     "Direction",
+                     std::to_string(dim) +
+                       " numbers separated by commas, for each cut or for all "
+                       "(separated by ';')");
+  Tensor<1, dim> direction;
+  double largest = 0;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      direction[d] = components[d];
+      largest      = std::max(largest, std::abs(direction[d]));
+    }
+  parameters.require(
+    largest > 0, "Blade", "Direction", "a vector that is not zero");
+  // First by the largest component, whose square may be too large or small.
+  direction /= largest;
+  return direction / direction.norm();
+}
+
+std::vector<EdgeLoad>
+read_edge_loads(const Parameters &parameters, const std::string &text)
+{
+  std::vector<EdgeLoad> loads;
+  for (const auto &[position, force] : split_items(text, ','))
+    {
+      std::vector<double> s, f;
+      parameters.require(parse_numbers(position, s) && s.size() == 1 &&
+                           parse_numbers(force, f) && f.size() == 1,
+                         "Blade",
+                         "Edge loads",
+                         "a list of 'position : force'");
+      loads.push_back({s[0], f[0]});
+    }
+  return loads;
+}
+} // namespace
+
+
+template <int dim>
+BladeParameters<dim>::BladeParameters(const Parameters &parameters)
+  : sharpness(parameters.number("Blade", "Sharpness"))
+  , thickness(parameters.number("Blade", "Thickness"))
+{
+  parameters.require(sharpness >= 0 && sharpness <= 1,
+                     "Blade",
+                     "Sharpness",
+                     "a number from 0 to 1");
+  parameters.require(
+    thickness >= 0, "Blade", "Thickness", "a number that is not negative");
+  for (const auto &text : split(parameters.text("Blade", "Direction"), ';'))
+    directions.push_back(read_direction<dim>(parameters, text));
+  parameters.require(!directions.empty(),
+                     "Blade",
+                     "Direction",
+                     std::to_string(dim) + " numbers separated by commas");
+  for (const auto &text : split(parameters.text("Blade", "Edge loads"), ';'))
+    edge_loads.push_back(read_edge_loads(parameters, text));
+  if (edge_loads.empty())
+    edge_loads.emplace_back();
+}
+
+
+
+template struct BladeParameters<2>;
+template struct BladeParameters<3>;
+} // namespace Setsudan

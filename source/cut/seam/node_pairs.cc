@@ -1,0 +1,238 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/cut/seam/node_pairs.h>
+#include <setsudan/mesh/geometry.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+bool
+NodePair<dim>::is_double() const
+{
+  return minus != plus;
+}
+
+
+
+namespace
+{
+/** What one side's cell knows of a node of a cut face, as plain numbers, since
+ * it is sent to the other processes: index of the face in the surface, side,
+ * path of the cell in its element, node of the cell, supported components,
+ * unknowns. */
+template <int dim>
+using Report = std::array<std::uint64_t, 5 + dim>;
+
+template <int dim>
+std::uint64_t
+supported_components(const ElasticModel<dim> &model,
+                     const typename Discretization<dim>::NodeIndices &node)
+{
+  std::bitset<dim> supported;
+  for (unsigned int c = 0; c < dim; ++c)
+    supported[c] = model.supports.is_constrained(node[c]);
+  return supported.to_ulong();
+}
+
+template <int dim>
+std::vector<Report<dim>>
+report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
+{
+  std::multimap<unsigned int, std::pair<unsigned int, unsigned int>> sides;
+  for (unsigned int f = 0; f < surface.size(); ++f)
+    {
+      sides.emplace(surface[f].minus.first, std::make_pair(f, 0));
+      sides.emplace(surface[f].plus.first, std::make_pair(f, 1));
+    }
+
+  std::vector<Report<dim>> reports;
+  const auto &discretization = model.discretization;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const auto range = sides.equal_range(discretization.element(cell));
+        if (range.first == range.second)
+          continue;
+        const auto nodes  = discretization.node_indices(cell);
+        const auto &units = discretization.nodes();
+        const auto points = discretization.points_in_element(cell);
+        const auto path   = path_of_cell<dim>(cell).path;
+        for (auto it = range.first; it != range.second; ++it)
+          {
+            const auto [f, side] = it->second;
+            const unsigned int face =
+              side == 0 ? surface[f].minus.second : surface[f].plus.second;
+            for (unsigned int node = 0; node < nodes.size(); ++node)
+              if (units[node][face / 2] == face % 2)
+                {
+                  // A refined cell may lie away from its element's face.
+                  if (points[node][face / 2] != face % 2)
+                    break;
+                  Report<dim> report{
+                    {f,
+                     side,
+                     path,
+                     node,
+                     supported_components(model, nodes[node])}};
+                  std::copy(
+                    nodes[node].begin(), nodes[node].end(), report.begin() + 5);
+                  reports.push_back(report);
+                }
+          }
+      }
+  return reports;
+}
+
+
+
+/** Puts pairs together from the reports of their two sides. */
+template <int dim>
+class PairBuilder
+{
+public:
+  PairBuilder(const CutSurface<dim> &surface,
+              const std::vector<Point<dim>> &nodes,
+              const Body<dim> &body,
+              const CoarseMesh<dim> &split)
+    : surface(surface)
+    , nodes(nodes)
+    , body(body)
+    , split(split)
+  {
+  }
+
+  void
+  add(const Report<dim> &report)
+  {
+    const CutFace<dim> &face = surface[report[0]];
+    const bool is_minus      = report[1] == 0;
+    const CellFace &side     = is_minus ? face.minus : face.plus;
+    const CellPath path{side.first, report[2]};
+    const unsigned int node = report[3];
+    const auto point        = point_in_element<dim>(path, nodes[node]);
+    Point<dim> center;
+    for (unsigned int d = 0; d < dim; ++d)
+      center[d] = d == side.second / 2 ? side.second % 2 : 0.5;
+
+    const PointName name = name_of_point(body.mesh, side.first, point);
+    const PointName cell_face =
+      name_of_point(body.mesh, side.first, point_in_element<dim>(path, center));
+    Entry &entry        = entries[{report[0], cell_face}][name];
+    NodePair<dim> &pair = entry.pair;
+    pair.name           = name;
+    pair.is_corner      = node < GeometryInfo<dim>::vertices_per_cell;
+    if (is_minus)
+      {
+        const auto corners = body.mesh.node_positions(side.first);
+        pair.position      = path.path == 1 && node < corners.size()
+                               ? corners[node]
+                               : point_of_element(corners, point);
+        pair.normal        = normal_of_face(corners, side.second, point);
+        pair.element       = side.first;
+      }
+    else
+      pair.plus_element = side.first;
+    auto &indices = is_minus ? pair.minus : pair.plus;
+    std::copy(report.begin() + 5, report.end(), indices.begin());
+    pair.supported |= std::bitset<dim>(report[4]);
+    entry.name_in_split[report[1]] = name_of_point(split, side.first, point);
+  }
+
+  /** The faces that meet at a node name the same pair. */
+  SurfaceNodes<dim>
+  finish() const
+  {
+    using Key = std::pair<PointName, std::array<types::global_dof_index, 2>>;
+    const auto key_of = [](const NodePair<dim> &pair) {
+      return Key{pair.name, {{pair.minus[0], pair.plus[0]}}};
+    };
+    std::map<Key, NodePair<dim>> unique;
+    for (const auto &[face, of_face] : entries)
+      for (const auto &[name, entry] : of_face)
+        {
+          const auto inserted = unique.emplace(key_of(entry.pair), entry.pair);
+          auto &whole         = inserted.first->second;
+          if (!inserted.second)
+            {
+              whole.normal += entry.pair.normal;
+              whole.supported |= entry.pair.supported;
+            }
+          // A node is divided if an end of the line it lies on, or a corner of
+          // the face, is.
+          whole.is_divided = whole.is_divided ||
+                             entry.name_in_split[0] != entry.name_in_split[1];
+        }
+
+    SurfaceNodes<dim> result;
+    std::map<Key, unsigned int> number;
+    for (auto &[key, pair] : unique)
+      {
+        number[key] = result.pairs.size();
+        pair.normal /= pair.normal.norm();
+        result.pairs.push_back(pair);
+      }
+    for (const auto &[face, of_face] : entries)
+      {
+        result.faces.emplace_back();
+        for (const auto &[name, entry] : of_face)
+          result.faces.back().push_back(number.at(key_of(entry.pair)));
+      }
+    return result;
+  }
+
+private:
+  const CutSurface<dim> &surface;
+  const std::vector<Point<dim>> &nodes;
+  const Body<dim> &body;
+  const CoarseMesh<dim> &split;
+  /** A pair as one face has it, and the names of its sides behind the
+   * surgery. */
+  struct Entry
+  {
+    NodePair<dim> pair{};
+    std::array<PointName, 2> name_in_split;
+  };
+
+  /** By face of a cell, named by its center, and by node. */
+  std::map<std::pair<std::uint64_t, PointName>, std::map<PointName, Entry>>
+    entries;
+};
+} // namespace
+
+
+template <int dim>
+SurfaceNodes<dim>
+collect_surface_nodes(const ElasticModel<dim> &model,
+                      const CutSurface<dim> &surface,
+                      const Body<dim> &body,
+                      const CoarseMesh<dim> &split)
+{
+  PairBuilder<dim> builder(surface, model.discretization.nodes(), body, split);
+  for (const auto &reports : Utilities::MPI::all_gather(
+         model.discretization.communicator, report_own_sides(model, surface)))
+    for (const auto &report : reports)
+      builder.add(report);
+  return builder.finish();
+}
+
+
+
+template struct NodePair<2>;
+template struct NodePair<3>;
+template SurfaceNodes<2>
+collect_surface_nodes(const ElasticModel<2> &,
+                      const CutSurface<2> &,
+                      const Body<2> &,
+                      const CoarseMesh<2> &);
+template SurfaceNodes<3>
+collect_surface_nodes(const ElasticModel<3> &,
+                      const CutSurface<3> &,
+                      const Body<3> &,
+                      const CoarseMesh<3> &);
+} // namespace Setsudan

@@ -1,0 +1,155 @@
+#include <setsudan/cut/yield/front_stresses.h>
+#include <setsudan/cut/yield/process_zone.h>
+#include <setsudan/mechanics/stress/strain_recovery.h>
+
+#include <memory>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+template <int dim>
+Tensor<1, 3>
+in_space(const Tensor<1, dim> &vector)
+{
+  Tensor<1, 3> result;
+  for (unsigned int d = 0; d < dim; ++d)
+    result[d] = vector[d];
+  return result;
+}
+
+
+
+/** The stresses at the front's nodes themselves. */
+template <int dim>
+FrontStresses
+stresses_at_nodes(const ElasticModel<dim> &model,
+                  const Seam<dim> &seam,
+                  const SeamCells<dim> &cells,
+                  const Row &row,
+                  const LA::Vector &displacement,
+                  const RecoveredStress<dim> *recovered)
+{
+  const auto &discretization = model.discretization;
+  std::unique_ptr<StrainRecovery<dim>> recovery;
+  if (recovered)
+    recovery =
+      std::make_unique<StrainRecovery<dim>>(discretization,
+                                            model.materials,
+                                            node_points(discretization),
+                                            update_values);
+  const auto stresses_of = [&](const typename SeamCells<dim>::Meeting &at) {
+    if (!recovery)
+      return cells.stresses(at.cell, at.nodes, displacement);
+    recovery->reinit(at.cell, displacement);
+    const auto of_cell = stresses_of_cell(at.cell, *recovery, recovered);
+    std::vector<SymmetricTensor<2, 3>> of_nodes;
+    for (const unsigned int node : at.nodes)
+      of_nodes.push_back(of_cell[node]);
+    return of_nodes;
+  };
+  FrontStresses stresses;
+  for (const auto &at : cells.at_front(row))
+    {
+      const auto of_nodes = stresses_of(at);
+      const double shear_limit =
+        model.materials.of_element(discretization.element(at.cell)).shear_limit;
+      for (unsigned int i = 0; i < of_nodes.size(); ++i)
+        stresses.samples.push_back(
+          {of_nodes[i],
+           shear_limit,
+           in_space(seam.pairs()[at.pairs[i]].normal)});
+    }
+  return stresses;
+}
+
+
+
+template <int dim>
+std::vector<Point<dim>>
+positions(const Seam<dim> &seam, const Row &row)
+{
+  std::vector<Point<dim>> result;
+  for (const unsigned int pair : row.front)
+    result.push_back(seam.pairs()[pair].position);
+  return result;
+}
+} // namespace
+
+
+template <int dim>
+FrontStresses
+front_stresses(const ElasticModel<dim> &model,
+               const Seam<dim> &seam,
+               const SeamCells<dim> &cells,
+               const Row &row,
+               const YieldParameters &yield,
+               const LA::Vector &displacement,
+               const RecoveredStress<dim> *recovered)
+{
+  if (yield.criterion != YieldParameters::Criterion::mean_shear)
+    return stresses_at_nodes(model, seam, cells, row, displacement, recovered);
+  return stresses_in_zones(
+    model, positions(seam, row), yield.process_zone, displacement, recovered);
+}
+
+
+
+template <int dim>
+std::vector<unsigned int>
+unknowns_near_front(const ElasticModel<dim> &model,
+                    const Seam<dim> &seam,
+                    const SeamCells<dim> &cells,
+                    const Row &row,
+                    const YieldParameters &yield)
+{
+  std::vector<typename Discretization<dim>::Cell> near;
+  if (yield.criterion == YieldParameters::Criterion::mean_shear)
+    near = cells_near_zones(model, positions(seam, row), yield.process_zone);
+  else
+    for (const auto &at : cells.at_front(row))
+      near.push_back(at.cell);
+  std::vector<unsigned int> unknowns;
+  std::vector<types::global_dof_index> indices(
+    model.discretization.fe.n_dofs_per_cell());
+  for (const auto &cell : near)
+    {
+      cell->get_dof_indices(indices);
+      unknowns.insert(unknowns.end(), indices.begin(), indices.end());
+    }
+  return unknowns;
+}
+
+
+
+template FrontStresses
+front_stresses(const ElasticModel<2> &,
+               const Seam<2> &,
+               const SeamCells<2> &,
+               const Row &,
+               const YieldParameters &,
+               const LA::Vector &,
+               const RecoveredStress<2> *);
+template std::vector<unsigned int>
+unknowns_near_front(const ElasticModel<2> &,
+                    const Seam<2> &,
+                    const SeamCells<2> &,
+                    const Row &,
+                    const YieldParameters &);
+template FrontStresses
+front_stresses(const ElasticModel<3> &,
+               const Seam<3> &,
+               const SeamCells<3> &,
+               const Row &,
+               const YieldParameters &,
+               const LA::Vector &,
+               const RecoveredStress<3> *);
+template std::vector<unsigned int>
+unknowns_near_front(const ElasticModel<3> &,
+                    const Seam<3> &,
+                    const SeamCells<3> &,
+                    const Row &,
+                    const YieldParameters &);
+} // namespace Setsudan

@@ -1,0 +1,169 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <setsudan/cut/yield/process_zone.h>
+#include <setsudan/mechanics/stress/strain_recovery.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+// A cell is integrated by at most so many copies of Gauss's rule along each
+// axis.
+constexpr unsigned int most_copies = 8;
+
+
+/** The recoveries with repeated rules, as they are asked for. */
+template <int dim>
+class RepeatedRules
+{
+public:
+  explicit RepeatedRules(const ElasticModel<dim> &model)
+    : model(model)
+  {
+  }
+
+  /** The rule for a cell of this size: points are not farther apart than a
+   * sixth of the radius, if that can be. */
+  StrainRecovery<dim> &
+  for_cell(const double size, const double radius)
+  {
+    const unsigned int n_copies =
+      std::clamp<double>(std::ceil(2 * size / radius), 1, most_copies);
+    auto &rule = rules[n_copies];
+    if (!rule)
+      rule = std::make_unique<StrainRecovery<dim>>(
+        model.discretization,
+        model.materials,
+        QIterated<dim>(QGauss<1>(3), n_copies),
+        update_values | update_quadrature_points | update_JxW_values);
+    return *rule;
+  }
+
+private:
+  const ElasticModel<dim> &model;
+  std::map<unsigned int, std::unique_ptr<StrainRecovery<dim>>> rules;
+};
+
+
+
+/** The centers of zones that a cell may reach into. */
+template <int dim>
+std::vector<unsigned int>
+zones_near(const typename Discretization<dim>::Cell &cell,
+           const std::vector<Point<dim>> &centers,
+           const double radius)
+{
+  std::vector<unsigned int> zones;
+  // Curved sides bulge by less than the diameter.
+  const double reach = radius + cell->diameter();
+  for (unsigned int z = 0; z < centers.size(); ++z)
+    if (cell->center().distance(centers[z]) < reach)
+      zones.push_back(z);
+  return zones;
+}
+
+
+
+void
+check_zones(const FrontStresses &stresses, const MPI_Comm communicator)
+{
+  std::vector<double> weights(stresses.n_zones, 0.);
+  for (const auto &sample : stresses.samples)
+    weights[sample.zone] += sample.weight;
+  Utilities::MPI::sum(weights, communicator, weights);
+  if (std::any_of(weights.begin(), weights.end(), [](const double weight) {
+        return !(weight > 0);
+      }))
+    throw std::runtime_error(
+      "Yield/Process zone is too small for the elements at the front, which "
+      "have no integration point in it. Refine the body near the cut, or take "
+      "a zone of at least an eighth of an element.");
+}
+} // namespace
+
+
+template <int dim>
+std::vector<typename Discretization<dim>::Cell>
+cells_near_zones(const ElasticModel<dim> &model,
+                 const std::vector<Point<dim>> &centers,
+                 const double radius)
+{
+  std::vector<typename Discretization<dim>::Cell> cells;
+  for (const auto &cell :
+       model.discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() &&
+        !zones_near<dim>(cell, centers, radius).empty())
+      cells.push_back(cell);
+  return cells;
+}
+
+
+
+template <int dim>
+FrontStresses
+stresses_in_zones(const ElasticModel<dim> &model,
+                  const std::vector<Point<dim>> &centers,
+                  const double radius,
+                  const LA::Vector &displacement,
+                  const RecoveredStress<dim> *recovered)
+{
+  const auto &discretization = model.discretization;
+  RepeatedRules<dim> rules(model);
+  FrontStresses stresses;
+  stresses.n_zones = centers.size();
+  for (const auto &cell : cells_near_zones(model, centers, radius))
+    {
+      const auto zones = zones_near<dim>(cell, centers, radius);
+      auto &recovery   = rules.for_cell(cell->diameter(), radius);
+      recovery.reinit(cell, displacement);
+      const auto of_cell = stresses_of_cell(cell, recovery, recovered);
+      const double shear_limit =
+        model.materials.of_element(discretization.element(cell)).shear_limit;
+      for (unsigned int p = 0; p < recovery.n_points(); ++p)
+        for (const unsigned int zone : zones)
+          {
+            const double r = recovery.point(p).distance(centers[zone]) / radius;
+            if (r < 1)
+              stresses.samples.push_back(
+                {of_cell[p],
+                 shear_limit,
+                 {},
+                 zone,
+                 recovery.volume(p) * std::pow(1 - r * r, 2)});
+          }
+    }
+  check_zones(stresses, discretization.communicator);
+  return stresses;
+}
+
+
+
+template std::vector<Discretization<2>::Cell>
+cells_near_zones(const ElasticModel<2> &,
+                 const std::vector<Point<2>> &,
+                 const double);
+template FrontStresses
+stresses_in_zones(const ElasticModel<2> &,
+                  const std::vector<Point<2>> &,
+                  const double,
+                  const LA::Vector &,
+                  const RecoveredStress<2> *);
+template std::vector<Discretization<3>::Cell>
+cells_near_zones(const ElasticModel<3> &,
+                 const std::vector<Point<3>> &,
+                 const double);
+template FrontStresses
+stresses_in_zones(const ElasticModel<3> &,
+                  const std::vector<Point<3>> &,
+                  const double,
+                  const LA::Vector &,
+                  const RecoveredStress<3> *);
+} // namespace Setsudan

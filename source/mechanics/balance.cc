@@ -1,0 +1,67 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/mechanics/balance.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+BodyBalance<dim>
+check_balance(const ElasticModel<dim> &model,
+              const LA::Vector &internal,
+              const LA::Vector &applied,
+              const std::vector<PointForce<dim>> &blade,
+              const double wedge)
+{
+  const auto &discretization  = model.discretization;
+  const MPI_Comm communicator = discretization.communicator;
+  LA::Vector held             = internal;
+  held -= applied;
+  held = condense(model.hanging, held);
+
+  Resultant<dim> resultant(discretization);
+  BodyBalance<dim> balance;
+  const auto &sites  = discretization.sites();
+  unsigned int local = 0;
+  for (const auto index : discretization.owned)
+    {
+      const auto &[position, component] = sites[local++];
+      Tensor<1, dim> force;
+      force[component] = model.loads(index);
+      if (model.supported.is_element(index))
+        {
+          force[component] += held(index);
+          (model.prescribed(index) == 0 ? balance.reaction
+                                        : balance.clamp_force)[component] +=
+            held(index);
+        }
+      if (force[component] != 0)
+        resultant.add(position, force);
+    }
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    for (const auto &[point, force] : blade)
+      resultant.add(point, force);
+  resultant.add_cancelling(wedge);
+  resultant.sum_over_processes();
+  static_cast<Balance &>(balance) = resultant.relative();
+  balance.reaction    = Utilities::MPI::sum(balance.reaction, communicator);
+  balance.clamp_force = Utilities::MPI::sum(balance.clamp_force, communicator);
+  return balance;
+}
+
+
+
+template BodyBalance<2>
+check_balance(const ElasticModel<2> &,
+              const LA::Vector &,
+              const LA::Vector &,
+              const std::vector<PointForce<2>> &,
+              const double);
+template BodyBalance<3>
+check_balance(const ElasticModel<3> &,
+              const LA::Vector &,
+              const LA::Vector &,
+              const std::vector<PointForce<3>> &,
+              const double);
+} // namespace Setsudan

@@ -1,0 +1,108 @@
+#include <deal.II/dofs/dof_tools.h>
+
+#include <setsudan/mechanics/cell_batches.h>
+#include <setsudan/mechanics/elastic_model.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
+                                const Refinement &refinement,
+                                const Body<dim> &body,
+                                const Supports<dim> &supports_of_body,
+                                const LoadParameters<dim> &load_parameters,
+                                const MaterialParameters<dim> &materials,
+                                const MPI_Comm communicator,
+                                const ElementType element_type)
+  : materials(materials)
+  , discretization(mesh, refinement, communicator, element_type)
+  , stiffness(discretization, materials)
+  , hanging(discretization.relevant)
+  , supports(discretization.relevant)
+  , supported(discretization.dof_handler.n_dofs())
+  , prescribed(discretization.zero_vector())
+  , loads(assemble_loads(discretization, load_parameters, body))
+{
+  if (!refinement.refined.empty())
+    DoFTools::make_hanging_node_constraints(discretization.dof_handler,
+                                            hanging);
+  hanging.close();
+  constrain_supports(supports_of_body);
+}
+
+
+
+template <int dim>
+ElasticModel<dim>::~ElasticModel() = default;
+
+
+template <int dim>
+void
+ElasticModel<dim>::constrain_supports(const Supports<dim> &supports_of_body)
+{
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (!cell->is_artificial())
+      {
+        const unsigned int element = discretization.element(cell);
+        const auto nodes           = discretization.node_indices(cell);
+        const auto points          = discretization.points_in_element(cell);
+        for (unsigned int node = 0; node < nodes.size(); ++node)
+          {
+            const auto support = supports_of_body.at(element, points[node]);
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const auto index = nodes[node][c];
+                if (!support.components[c] || hanging.is_constrained(index))
+                  continue;
+                supports.add_line(index);
+                if (support.displacement[c] != 0 &&
+                    discretization.owned.is_element(index))
+                  prescribed(index) = support.displacement[c];
+              }
+          }
+      }
+  supports.close();
+  prescribed.compress(VectorOperation::insert);
+  hanging.distribute(prescribed);
+  for (const auto index : discretization.owned)
+    if (supports.is_constrained(index))
+      supported.add_index(index);
+  supported.compress();
+}
+
+
+
+template <int dim>
+CellBatches<dim> &
+ElasticModel<dim>::batches()
+{
+  if (!cell_batches)
+    cell_batches =
+      std::make_unique<CellBatches<dim>>(discretization, materials);
+  return *cell_batches;
+}
+
+
+
+template <int dim>
+LA::Vector
+internal_forces(ElasticModel<dim> &model, const LA::Vector &displacement)
+{
+  if (model.discretization.type == ElementType::linear)
+    return internal_forces(model.discretization,
+                           model.stiffness,
+                           model.discretization.with_ghosts(displacement));
+  return internal_forces(model.batches(), displacement);
+}
+
+
+
+template struct ElasticModel<2>;
+template struct ElasticModel<3>;
+template LA::Vector
+internal_forces(ElasticModel<2> &, const LA::Vector &);
+template LA::Vector
+internal_forces(ElasticModel<3> &, const LA::Vector &);
+} // namespace Setsudan

@@ -1,0 +1,215 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/mechanics/cell_batches.h>
+#include <setsudan/mechanics/stress/deformation_extremes.h>
+#include <setsudan/mechanics/stress/grid_gradients.h>
+#include <setsudan/mechanics/stress/strain_recovery.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+/** The extremes of all processes. */
+DeformationExtremes
+of_all(const DeformationExtremes &own, const MPI_Comm communicator)
+{
+  DeformationExtremes all;
+  all.min_jacobian = Utilities::MPI::min(own.min_jacobian, communicator);
+  all.max_strain   = Utilities::MPI::max(own.max_strain, communicator);
+  all.max_shear    = Utilities::MPI::max(own.max_shear, communicator);
+  all.max_displacement =
+    Utilities::MPI::max(own.max_displacement, communicator);
+  return all;
+}
+} // namespace
+
+
+namespace
+{
+/** Lower `min_jacobian` to the smallest determinant on the cell. */
+template <int dim>
+void
+find_min_jacobian(const StrainRecovery<dim> &recovery, double &min_jacobian)
+{
+  for (unsigned int p = 0; p < recovery.n_points(); ++p)
+    min_jacobian = std::min(
+      min_jacobian,
+      determinant(unit_symmetric_tensor<dim>() + recovery.gradient(p)));
+}
+} // namespace
+
+
+template <int dim>
+DeformationExtremes
+find_extremes(const Discretization<dim> &discretization,
+              const MaterialParameters<dim> &materials,
+              const LA::Vector &displacement)
+{
+  StrainRecovery<dim> at_nodes(
+    discretization, materials, node_points(discretization));
+  StrainRecovery<dim> at_gauss_points(
+    discretization, materials, gauss_points(discretization));
+  DeformationExtremes extremes;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        at_nodes.reinit(cell, displacement);
+        at_gauss_points.reinit(cell, displacement);
+        find_min_jacobian(at_nodes, extremes.min_jacobian);
+        find_min_jacobian(at_gauss_points, extremes.min_jacobian);
+        for (unsigned int p = 0; p < at_gauss_points.n_points(); ++p)
+          {
+            for (const double principal :
+                 eigenvalues(at_gauss_points.strain(p)))
+              extremes.max_strain =
+                std::max(extremes.max_strain, std::abs(principal));
+            extremes.max_shear = std::max(
+              extremes.max_shear, maximum_shear(at_gauss_points.stress(p)));
+          }
+        for (const auto &node : discretization.node_indices(cell))
+          {
+            Tensor<1, dim> u;
+            for (unsigned int c = 0; c < dim; ++c)
+              u[c] = displacement(node[c]);
+            extremes.max_displacement =
+              std::max(extremes.max_displacement, u.norm());
+          }
+      }
+  return of_all(extremes, discretization.communicator);
+}
+
+
+
+namespace
+{
+/** Whether a place in a grid of 3^dim points is a node of a serendipity
+ * element: it is in the middle in one direction at most. */
+template <int dim>
+bool
+is_serendipity_node(unsigned int place)
+{
+  unsigned int n_middles = 0;
+  for (unsigned int d = 0; d < dim; ++d, place /= 3)
+    n_middles += place % 3 == 1;
+  return n_middles <= 1;
+}
+
+
+
+/** Let a point's strain and shear count. Both have bounds that take less than
+ * the principal values, which are hardly ever needed then. */
+template <int dim>
+void
+include_strain(const Tensor<2, dim> &gradient,
+               const double mu,
+               DeformationExtremes &extremes)
+{
+  const SymmetricTensor<2, dim> strain = symmetrize(gradient);
+  const double square                  = strain * strain;
+  if (square > extremes.max_strain * extremes.max_strain)
+    for (const double principal : eigenvalues(strain))
+      extremes.max_strain = std::max(extremes.max_strain, std::abs(principal));
+  const double trace      = dealii::trace(strain);
+  const double distortion = square - trace * trace / 3;
+  if (2 * mu * mu * distortion > extremes.max_shear * extremes.max_shear)
+    {
+      SymmetricTensor<2, 3> stress;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          stress[i][j] = 2 * mu * strain[i][j];
+      extremes.max_shear = std::max(extremes.max_shear, maximum_shear(stress));
+    }
+}
+
+
+
+/** The largest displacement of this process's nodes. */
+template <int dim>
+double
+largest_displacement(const LA::Vector &displacement)
+{
+  const auto &vector    = displacement.trilinos_vector();
+  const double *const u = vector[0];
+  double largest        = 0;
+  // deal.II numbers the components of a node one after the other.
+  for (int i = 0; i + dim <= vector.MyLength(); i += dim)
+    {
+      Tensor<1, dim> of_node;
+      for (unsigned int c = 0; c < dim; ++c)
+        of_node[c] = u[i + c];
+      largest = std::max(largest, of_node.norm());
+    }
+  return largest;
+}
+
+
+
+/** Let the cells of a batch count. */
+template <int dim>
+void
+include_batch(const GradientsOfBatch &gradients,
+              const bool serendipity,
+              DeformationExtremes &extremes)
+{
+  constexpr unsigned int n_points = Utilities::pow(3, dim);
+  const CellBatch &batch          = gradients.batch;
+  for (unsigned int p = 0; p < 2 * n_points; ++p)
+    {
+      const bool is_gauss_point = p >= n_points;
+      if (!is_gauss_point && serendipity && !is_serendipity_node<dim>(p))
+        continue;
+      for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
+        {
+          const auto gradient = gradients.at<dim>(p, lane);
+          extremes.min_jacobian =
+            std::min(extremes.min_jacobian,
+                     determinant(unit_symmetric_tensor<dim>() + gradient));
+          if (is_gauss_point)
+            include_strain(
+              gradient, batch.moduli[gradients.n_lanes + lane], extremes);
+        }
+    }
+}
+} // namespace
+
+
+template <int dim>
+DeformationExtremes
+find_extremes(ElasticModel<dim> &model, const LA::Vector &displacement)
+{
+  const auto &discretization = model.discretization;
+  if (discretization.type == ElementType::linear)
+    return find_extremes(discretization,
+                         model.materials,
+                         discretization.with_ghosts(displacement));
+  const bool serendipity = discretization.type == ElementType::serendipity;
+  auto u                 = model.batches().imported(displacement);
+  u.update_ghost_values();
+  DeformationExtremes extremes;
+  visit_gradients<dim>(model, u, [&](const GradientsOfBatch &gradients) {
+    include_batch<dim>(gradients, serendipity, extremes);
+  });
+  extremes.max_displacement = largest_displacement<dim>(displacement);
+  return of_all(extremes, discretization.communicator);
+}
+
+
+
+template DeformationExtremes
+find_extremes(const Discretization<2> &,
+              const MaterialParameters<2> &,
+              const LA::Vector &);
+template DeformationExtremes
+find_extremes(const Discretization<3> &,
+              const MaterialParameters<3> &,
+              const LA::Vector &);
+template DeformationExtremes
+find_extremes(ElasticModel<2> &, const LA::Vector &);
+template DeformationExtremes
+find_extremes(ElasticModel<3> &, const LA::Vector &);
+} // namespace Setsudan

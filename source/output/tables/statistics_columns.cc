@@ -1,0 +1,236 @@
+#include <setsudan/output/tables/statistics_columns.h>
+
+#include <ostream>
+#include <sstream>
+
+namespace Setsudan
+{
+namespace
+{
+template <typename Number>
+std::string
+digits_of(const Number number, const int precision)
+{
+  std::ostringstream text;
+  text.precision(precision);
+  text << number;
+  return text.str();
+}
+
+/** The digits that a comparison needs. */
+constexpr int all_digits = 12;
+
+/** A column of a member of Event. */
+template <typename Number>
+StatisticsColumn
+column(const std::string &name,
+       const std::string &unit,
+       const std::string &meaning,
+       Number Event::*const member,
+       const bool is_of_body = false,
+       const int precision   = all_digits)
+{
+  return {name, unit, meaning, is_of_body, [=](const Event &event) {
+            return digits_of(event.*member, precision);
+          }};
+}
+
+/** The columns of a vector's components. */
+void
+add_vector(const std::string &name,
+           const std::string &meaning,
+           std::array<double, 3> Event::*const member,
+           std::vector<StatisticsColumn> &columns)
+{
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      const std::string axis(1, "xyz"[c]);
+      columns.push_back({name + "_" + axis,
+                         "F",
+                         meaning + " along " + axis + ".",
+                         true,
+                         [=](const Event &event) {
+                           return digits_of((event.*member)[c], all_digits);
+                         }});
+    }
+}
+
+std::string
+pieces_of_row(const Event &event)
+{
+  std::string text;
+  for (const unsigned int piece : event.row_pieces)
+    text += (text.empty() ? "" : "+") + std::to_string(piece);
+  return text;
+}
+
+/** The place of the event in the story, and what the blade does. */
+std::vector<StatisticsColumn>
+columns_of_cut()
+{
+  return {
+    column("frame",
+           "-",
+           "The solved state that the line describes, from 0; several events "
+           "can be of one state. Files of that number show it.",
+           &Event::frame),
+    {"event",
+     "-",
+     "rest, deform, yield, release, arrest or divide: see below.",
+     false,
+     [](const Event &event) { return event.name; }},
+    column("cut", "-", "The cut, from 0.", &Event::cut),
+    column(
+      "row", "-", "The row of this cut under the blade, from 0.", &Event::row),
+    column("released_rows",
+           "-",
+           "Rows of this cut that are split.",
+           &Event::released_rows),
+    column("depth",
+           "L",
+           "How far the front of the row lies behind the entry of the cut, "
+           "along the blade's direction.",
+           &Event::depth),
+    column("load_factor",
+           "-",
+           "What Blade/Edge loads are multiplied with.",
+           &Event::load_factor),
+    column("blade_force",
+           "F",
+           "The sum of the blade's forces, along its direction.",
+           &Event::blade_force),
+    column("cutting_stress",
+           "F/L^2",
+           "What Yield/Criterion measures at the front of the row: a stress, "
+           "or with energy release an energy per area (F/L). Its maximum "
+           "shear is the largest of the elements that meet at a node of the "
+           "front, and grows as elements shrink.",
+           &Event::cutting_stress),
+    column("required_stress",
+           "F/L^2",
+           "What it must exceed for the row to split.",
+           &Event::required_stress)};
+}
+
+/** The state of the whole body. */
+std::vector<StatisticsColumn>
+columns_of_body()
+{
+  return {
+    column("strain_energy",
+           "F L",
+           "The elastic energy of the body, u.Ku/2.",
+           &Event::strain_energy,
+           true),
+    column("potential_energy",
+           "F L",
+           "That minus the work of all loads at their present size, f.u.",
+           &Event::potential_energy,
+           true),
+    column("max_displacement",
+           "L",
+           "The largest displacement of a node.",
+           &Event::max_displacement,
+           true),
+    column(
+      "force_residual",
+      "-",
+      "How far all forces on the body are from cancelling, over the sum of "
+      "their sizes.",
+      &Event::force_residual,
+      true,
+      3),
+    column("moment_residual",
+           "-",
+           "The same of their moments, over that sum times the body's length.",
+           &Event::moment_residual,
+           true,
+           3),
+    column("min_jacobian",
+           "-",
+           "The smallest determinant of the deformation gradient at nodes and "
+           "Gauss points: 1 undeformed, 0 or less where an element is turned "
+           "inside out.",
+           &Event::min_jacobian,
+           true),
+    column("pieces", "-", "The separate bodies there are.", &Event::pieces),
+    column("seconds",
+           "s",
+           "The time since the run began.",
+           &Event::seconds,
+           false,
+           4),
+    column("max_strain",
+           "-",
+           "The largest principal strain, in magnitude, at a Gauss point.",
+           &Event::max_strain,
+           true),
+    column("max_shear",
+           "F/L^2",
+           "The largest maximum shear (s1 - s3)/2 at a Gauss point of the "
+           "whole body: unlike cutting_stress not at nodes, where it is "
+           "singular under the blade.",
+           &Event::max_shear,
+           true)};
+}
+} // namespace
+
+
+std::vector<StatisticsColumn>
+statistics_columns(const bool has_errors)
+{
+  auto columns       = columns_of_cut();
+  const auto of_body = columns_of_body();
+  columns.insert(columns.end(), of_body.begin(), of_body.end());
+  add_vector("reaction",
+             "The force of the supports that hold still on the body,",
+             &Event::reaction,
+             columns);
+  add_vector("clamp",
+             "The force of the clamps that move (Support/Displacements) on the "
+             "body,",
+             &Event::clamp_force,
+             columns);
+  columns.push_back(column("overlap",
+                           "L",
+                           "How far the walls of cuts have moved through each "
+                           "other, at most; without contact nothing prevents "
+                           "it.",
+                           &Event::overlap,
+                           true));
+  columns.push_back({"row_pieces",
+                     "-",
+                     "The pieces in which the front of the row lies, joined by "
+                     "'+'.",
+                     false,
+                     pieces_of_row});
+  if (has_errors)
+    {
+      columns.push_back(
+        {"energy_error",
+         "-",
+         "The estimated relative error of the strain energy; "
+         "with Accuracy/Estimate.",
+         true,
+         [](const Event &event) { return digits_of((*event.errors)[0], 4); }});
+      columns.push_back(
+        {"stress_error",
+         "-",
+         "That of cutting_stress.",
+         true,
+         [](const Event &event) { return digits_of((*event.errors)[1], 4); }});
+    }
+  return columns;
+}
+
+
+
+void
+document_columns(std::ostream &out)
+{
+  out << "| column | unit | meaning |\n|---|---|---|\n";
+  for (const auto &column : statistics_columns(true))
+    out << "| `" << column.name << "` | " << column.unit << " | "
+        << column.meaning << " |\n";
+}
+} // namespace Setsudan

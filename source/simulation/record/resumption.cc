@@ -1,0 +1,161 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <setsudan/simulation/record/resumption.h>
+
+#include <sstream>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+/** The scene in words, wherever its results go. */
+std::string
+scene_text(const Parameters &parameters, const std::string &directory)
+{
+  return text_in(directory,
+                 parameters.with({{"Output", "Directory", directory, ""}}));
+}
+
+/** Where two texts differ first, in words; empty where they do not. */
+std::string
+first_difference(const std::string &there, const std::string &here)
+{
+  std::istringstream lines_there(there), lines_here(here);
+  std::string a, b;
+  const auto setting = [](const std::string &line) {
+    return "'" + Utilities::trim(line.substr(0, line.find('#'))) + "'";
+  };
+  while (std::getline(lines_there, a) && std::getline(lines_here, b))
+    if (a != b)
+      return setting(a) + " there and " + setting(b) + " here";
+  return there == here ? "" : "one has more parameters";
+}
+
+template <int dim>
+void
+check_scene(const Scene<dim> &scene,
+            const Parameters &parameters,
+            const std::string &file_name)
+{
+  const auto &directory = scene.output.directory;
+  const Parameters earlier(
+    file_name, read_scene_file(file_name), Scene<dim>::declare);
+  const std::string difference = first_difference(
+    scene_text(earlier, directory), scene_text(parameters, directory));
+  if (!difference.empty())
+    throw SceneError("The run in '" + directory +
+                     "' is of another scene and cannot be resumed with this "
+                     "one: " +
+                     difference + ".");
+}
+} // namespace
+
+
+template <int dim>
+EarlierRun
+find_earlier_run(const Scene<dim> &scene,
+                 const Parameters &parameters,
+                 const MPI_Comm communicator)
+{
+  parameters.require(scene.output.checkpoint !=
+                       OutputParameters::Checkpoint::none,
+                     "Output",
+                     "Checkpoint",
+                     "auto or every row, for a run that is to be resumed");
+  const OutputDirectory directory(
+    scene.output.directory, communicator, OutputDirectory::Earlier::kept);
+  EarlierRun run;
+  const std::string file_name = directory.path + "/parameters.prm";
+  if (!Utilities::MPI::broadcast(communicator, directory.has("parameters.prm")))
+    return run;
+  check_scene(scene, parameters, file_name);
+  // The file stays until all have read it.
+  MPI_Barrier(communicator);
+  run.checkpoint = read_checkpoint(directory, communicator);
+  run.finished   = !run.checkpoint;
+  if (run.checkpoint && run.checkpoint->stage == Checkpoint::Stage::begun)
+    run.checkpoint.reset();
+  if (!run.checkpoint)
+    return run;
+  const auto n_there = run.checkpoint->displacement.size();
+  const auto n_here  = Utilities::MPI::n_mpi_processes(communicator);
+  if (n_there != n_here)
+    throw SceneError("The run in '" + directory.path + "' is one on " +
+                     std::to_string(n_there) +
+                     " process(es) and cannot be resumed on " +
+                     std::to_string(n_here) + ".");
+  return run;
+}
+
+
+
+namespace
+{
+/** Prepare the equations of a row as for its solve: a factor that grows from
+ * row to row has the same digits only if it grows by the same steps, and what
+ * multigrid keeps from rows before the last one must be there. */
+template <int dim>
+void
+repeat_preparation(const Scene<dim> &scene,
+                   const unsigned int row,
+                   const unsigned int last_row,
+                   CutBody<dim> &body)
+{
+  constexpr unsigned int n = EquilibriumChoice<dim>::rows_per_preparation;
+  const bool is_kept =
+    !scene.solver.is_direct(body.model->discretization.dof_handler.n_dofs()) &&
+    row >= last_row / n * n;
+  if ((!body.why_anew().empty() && !is_kept) || body.is_left_out(row))
+    return;
+  body.equilibrium();
+  if (scene.yield.needs_seam())
+    body.equilibrium_without(row);
+}
+} // namespace
+
+
+template <int dim>
+void
+repeat_surgeries(const Scene<dim> &scene,
+                 const Checkpoint &checkpoint,
+                 CutBody<dim> &body)
+{
+  for (unsigned int cut = 0; cut <= checkpoint.event.cut; ++cut)
+    {
+      if (!body.approach(scene.cut.cuts[cut]))
+        continue;
+      const bool divided = cut < checkpoint.event.cut ||
+                           checkpoint.stage == Checkpoint::Stage::divided;
+      const unsigned int n_split =
+        divided ? body.seam().rows().size() : checkpoint.event.row;
+      if (n_split == 0 && !scene.yield.needs_seam())
+        continue;
+      body.open();
+      if (!divided && scene.yield.needs_seam())
+        repeat_preparation(scene, 0, n_split, body);
+      for (unsigned int row = 0; row < n_split; ++row)
+        {
+          if (!body.is_left_out(row))
+            body.release(row);
+          if (!divided)
+            repeat_preparation(scene, row + 1, n_split, body);
+        }
+      if (divided)
+        body.divide();
+    }
+}
+
+
+
+template EarlierRun
+find_earlier_run(const Scene<2> &, const Parameters &, const MPI_Comm);
+template void
+repeat_surgeries(const Scene<2> &, const Checkpoint &, CutBody<2> &);
+template EarlierRun
+find_earlier_run(const Scene<3> &, const Parameters &, const MPI_Comm);
+template void
+repeat_surgeries(const Scene<3> &, const Checkpoint &, CutBody<3> &);
+} // namespace Setsudan

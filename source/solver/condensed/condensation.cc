@@ -1,0 +1,161 @@
+#include <setsudan/solver/condensed/condensation.h>
+#include <setsudan/solver/condensed/uncoupled_parts.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace Setsudan
+{
+namespace
+{
+/** A shift that makes even a body definite that only its cut holds: of the size
+ * of the stiffness there, so that taking it off again loses no digits. */
+double
+shift_of(const LA::SparseMatrix &matrix, const std::vector<unsigned int> &cut)
+{
+  double sum = 0;
+  for (const unsigned int unknown : cut)
+    sum += matrix.diag_element(unknown);
+  return cut.empty() ? 0 : sum / cut.size();
+}
+
+
+
+/** Whether parts are so alike that each is best left to one core: the largest
+ * takes about as the square of its size. */
+bool
+are_alike(const std::vector<std::vector<unsigned int>> &parts)
+{
+  constexpr double largest_share = 0.6;
+  std::size_t largest = 0, all = 0;
+  for (const auto &part : parts)
+    {
+      largest = std::max(largest, part.size());
+      all += part.size();
+    }
+  return largest <= largest_share * all;
+}
+
+
+
+void
+for_each_part(const unsigned int n_parts,
+              const bool at_once,
+              const std::function<void(unsigned int)> &work)
+{
+  // One part alone leaves all cores to the BLAS.
+  if (at_once && n_parts > 1)
+    side_by_side(n_parts, work);
+  else
+    for (unsigned int part = 0; part < n_parts; ++part)
+      work(part);
+}
+} // namespace
+
+
+Condensation::Condensation(const LA::SparseMatrix &matrix,
+                           const std::vector<unsigned int> &cut)
+  : cut(cut)
+{
+  // Below this a thread takes longer to begin than to work.
+  constexpr double many_entries = 2e6;
+  const double shift            = shift_of(matrix, cut);
+  const auto unknowns           = uncoupled_parts(matrix);
+  parts.resize(unknowns.size());
+  std::vector<SchurComplement::Block> blocks(parts.size());
+  for_each_part(parts.size(), are_alike(unknowns), [&](const unsigned int p) {
+    blocks[p] = factorize(matrix, unknowns[p], shift, parts[p]);
+  });
+  complement       = std::make_unique<SchurComplement>(std::move(blocks));
+  double n_entries = 0;
+  for (const auto &part : parts)
+    n_entries += part.factor->n_entries();
+  is_large = n_entries > many_entries;
+}
+
+
+
+SchurComplement::Block
+Condensation::factorize(const LA::SparseMatrix &matrix,
+                        const std::vector<unsigned int> &unknowns,
+                        const double shift,
+                        Part &part) const
+{
+  std::vector<unsigned int> first, last;
+  std::set_difference(unknowns.begin(),
+                      unknowns.end(),
+                      cut.begin(),
+                      cut.end(),
+                      std::back_inserter(first));
+  std::set_intersection(unknowns.begin(),
+                        unknowns.end(),
+                        cut.begin(),
+                        cut.end(),
+                        std::back_inserter(last));
+  for (const unsigned int unknown : last)
+    part.of_cut.push_back(std::lower_bound(cut.begin(), cut.end(), unknown) -
+                          cut.begin());
+  part.factor = std::make_unique<CholeskyFactor>(matrix, first, last, shift);
+  return SchurComplement::square(part.of_cut, part.factor->last_block(), shift);
+}
+
+
+
+const SchurComplement &
+Condensation::stiffness() const
+{
+  return *complement;
+}
+
+
+
+Condensation::Eliminated
+Condensation::eliminate(const LA::Vector &loads) const
+{
+  Eliminated result;
+  result.of_parts.resize(parts.size());
+  result.on_cut.resize(cut.size());
+  for_each_part(parts.size(), is_large, [&](const unsigned int p) {
+    auto &ordered = result.of_parts[p];
+    ordered       = parts[p].factor->in_order(loads);
+    parts[p].factor->eliminate(ordered);
+    const auto on_cut = ordered.end() - parts[p].of_cut.size();
+    for (unsigned int i = 0; i < parts[p].of_cut.size(); ++i)
+      result.on_cut[parts[p].of_cut[i]] = on_cut[i];
+  });
+  return result;
+}
+
+
+
+Condensation::Steps
+Condensation::steps_for(const std::vector<unsigned int> &unknowns) const
+{
+  Steps steps;
+  for (const auto &part : parts)
+    steps.push_back(part.factor->steps_for(unknowns));
+  return steps;
+}
+
+
+
+void
+Condensation::recover(Eliminated loads,
+                      const std::vector<double> &of_cut,
+                      LA::Vector &x,
+                      const Steps *steps) const
+{
+  for_each_part(parts.size(), is_large, [&](const unsigned int p) {
+    auto &ordered    = loads.of_parts[p];
+    const auto &part = parts[p];
+    const auto last  = ordered.end() - part.of_cut.size();
+    for (unsigned int i = 0; i < part.of_cut.size(); ++i)
+      last[i] = of_cut[part.of_cut[i]];
+    if (steps)
+      part.factor->recover(ordered, (*steps)[p]);
+    else
+      part.factor->recover(ordered);
+    part.factor->from_order(ordered, x);
+  });
+}
+} // namespace Setsudan

@@ -1,0 +1,204 @@
+#include <setsudan/solver/condensed/reduced_cut.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+// Ties are of factors about 1.
+constexpr double round_off = 1e-13;
+} // namespace
+
+
+ReducedCut::ReducedCut(const std::vector<unsigned int> &unknowns,
+                       const SchurComplement &stiffness)
+  : unknowns(unknowns)
+  , stiffness(stiffness)
+  , factor(unknowns.size())
+{
+}
+
+
+
+bool
+ReducedCut::columns_of(const Constraints &constraints,
+                       std::vector<unsigned int> &free,
+                       std::vector<Column> &columns) const
+{
+  const auto place_of = [&](const types::global_dof_index unknown) {
+    const auto found =
+      std::lower_bound(unknowns.begin(), unknowns.end(), unknown);
+    return found != unknowns.end() && *found == unknown
+             ? static_cast<int>(found - unknowns.begin())
+             : -1;
+  };
+  std::vector<int> column_of(unknowns.size(), -1);
+  for (unsigned int i = 0; i < unknowns.size(); ++i)
+    if (!constraints.is_constrained(unknowns[i]))
+      {
+        column_of[i] = columns.size();
+        free.push_back(i);
+        columns.push_back({{i, 1.}});
+      }
+  for (unsigned int i = 0; i < unknowns.size(); ++i)
+    if (column_of[i] < 0)
+      for (const auto &[master, weight] :
+           *constraints.get_constraint_entries(unknowns[i]))
+        {
+          const int place = place_of(master);
+          if (place < 0 || column_of[place] < 0)
+            return false;
+          columns[column_of[place]].emplace_back(i, weight);
+        }
+  return true;
+}
+
+
+
+unsigned int
+ReducedCut::n_that_fit(const std::vector<unsigned int> &free,
+                       const std::vector<Column> &columns) const
+{
+  std::vector<int> column_of(unknowns.size(), -1);
+  for (unsigned int c = 0; c < free.size(); ++c)
+    column_of[free[c]] = c;
+  // A displacement obeys the ties if it is what they make of its free unknowns.
+  std::vector<double> rest(unknowns.size(), 0.);
+  for (unsigned int c = 0; c < basis.size(); ++c)
+    {
+      if (column_of[free_unknowns[c]] < 0)
+        return c;
+      for (const auto &[i, value] : basis[c])
+        rest[i] += value;
+      for (const auto &[i, value] : basis[c])
+        if (column_of[i] >= 0)
+          for (const auto &[j, weight] : columns[column_of[i]])
+            rest[j] -= weight * value;
+      bool fits = true;
+      for (const auto &[i, value] : basis[c])
+        {
+          if (column_of[i] >= 0)
+            for (const auto &[j, weight] : columns[column_of[i]])
+              {
+                fits    = fits && std::abs(rest[j]) <= round_off;
+                rest[j] = 0;
+              }
+          fits    = fits && std::abs(rest[i]) <= round_off;
+          rest[i] = 0;
+        }
+      if (!fits)
+        return c;
+    }
+  return basis.size();
+}
+
+
+
+bool
+ReducedCut::place(const Constraints &step)
+{
+  std::vector<unsigned int> free;
+  std::vector<Column> columns;
+  if (!columns_of(step, free, columns))
+    return false;
+  const unsigned int n_kept = n_that_fit(free, columns);
+  n_columns                 = free.size();
+  // What a later step has added does no harm.
+  if (n_kept == n_columns)
+    return true;
+  factor.shrink(std::min(factor.size(), n_kept));
+  while (!n_columns_of.empty() && n_columns_of.back() > n_kept)
+    n_columns_of.pop_back();
+  free_unknowns.resize(n_kept);
+  basis.resize(n_kept);
+  std::vector<bool> is_known(unknowns.size(), false);
+  for (const unsigned int i : free_unknowns)
+    is_known[i] = true;
+  for (unsigned int c = 0; c < n_columns; ++c)
+    if (!is_known[free[c]])
+      {
+        free_unknowns.push_back(free[c]);
+        basis.push_back(std::move(columns[c]));
+      }
+  return true;
+}
+
+
+
+bool
+ReducedCut::foresee(const Constraints &step)
+{
+  if (!place(step))
+    return false;
+  n_columns_of.push_back(n_columns);
+  return true;
+}
+
+
+
+void
+ReducedCut::factorize_foreseen()
+{
+  factorize(basis.size());
+}
+
+
+
+bool
+ReducedCut::go_to(const unsigned int step)
+{
+  if (step >= n_columns_of.size())
+    return false;
+  n_columns = n_columns_of[step];
+  factorize(n_columns);
+  return true;
+}
+
+
+
+void
+ReducedCut::factorize(const unsigned int n)
+{
+  if (n <= factor.size())
+    return;
+  factor.append(n - factor.size(),
+                [&](const unsigned int row, const unsigned int column) {
+                  double sum = 0;
+                  for (const auto &[i, weight] : basis[row])
+                    for (const auto &[j, other] : basis[column])
+                      sum += weight * other * stiffness(i, j);
+                  return sum;
+                });
+}
+
+
+
+bool
+ReducedCut::set_ties(const Constraints &step)
+{
+  if (!place(step))
+    return false;
+  factorize(n_columns);
+  return true;
+}
+
+
+
+std::vector<double>
+ReducedCut::displacement(const double *forces) const
+{
+  std::vector<double> q(n_columns, 0.), u(unknowns.size(), 0.);
+  for (unsigned int c = 0; c < n_columns; ++c)
+    for (const auto &[i, weight] : basis[c])
+      q[c] += weight * forces[i];
+  factor.solve(q);
+  for (unsigned int c = 0; c < n_columns; ++c)
+    for (const auto &[i, weight] : basis[c])
+      u[i] += weight * q[c];
+  return u;
+}
+} // namespace Setsudan

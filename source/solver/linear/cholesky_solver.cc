@@ -1,0 +1,31 @@
+#include <setsudan/solver/linear/cholesky_solver.h>
+
+namespace Setsudan
+{
+void
+CholeskySolver::initialize(const LA::SparseMatrix &matrix,
+                           const std::vector<std::vector<double>> &)
+{
+  factor.reset();
+  factor = std::make_unique<CholeskyFactor>(matrix);
+}
+
+
+
+void
+CholeskySolver::solve(LA::Vector &x, const LA::Vector &b)
+{
+  std::vector<double> ordered = factor->in_order(b);
+  factor->eliminate(ordered);
+  factor->recover(ordered);
+  factor->from_order(ordered, x);
+}
+
+
+
+std::string
+CholeskySolver::description() const
+{
+  return "direct (CHOLMOD)";
+}
+} // namespace Setsudan

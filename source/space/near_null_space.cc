@@ -1,0 +1,29 @@
+#include <setsudan/space/near_null_space.h>
+#include <setsudan/space/rigid_modes.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+std::vector<std::vector<double>>
+rigid_modes_at(const std::vector<typename Discretization<dim>::Site> &sites)
+{
+  std::vector<std::vector<double>> modes(n_rigid_modes<dim>,
+                                         std::vector<double>(sites.size()));
+  for (unsigned int i = 0; i < sites.size(); ++i)
+    {
+      const auto motions = rigid_modes(sites[i].position, Point<dim>(), 1.);
+      for (unsigned int m = 0; m < modes.size(); ++m)
+        modes[m][i] = motions[m][sites[i].component];
+    }
+  return modes;
+}
+
+
+
+template std::vector<std::vector<double>>
+rigid_modes_at<2>(const std::vector<Discretization<2>::Site> &);
+template std::vector<std::vector<double>>
+rigid_modes_at<3>(const std::vector<Discretization<3>::Site> &);
+} // namespace Setsudan
