@@ -13,7 +13,7 @@
 
 #include <setsudan/kernel/blas.h>
 #include <setsudan/solver/equilibrium.h>
-#include <setsudan/solver/multigrid_equilibrium.h>
+#include <setsudan/solver/matrix_free_solver.h>
 
 #include <sys/resource.h>
 
@@ -71,12 +71,12 @@ print(const char *name, const double own)
 }
 
 
-std::unique_ptr<EquilibriumSolver>
+std::unique_ptr<TangentSolver>
 make_equilibrium(const std::string &method, Problem &problem)
 {
   auto &model = problem.model;
   if (method == "multigrid")
-    return std::make_unique<MultigridEquilibrium<dim>>(
+    return std::make_unique<MatrixFreeSolver<dim>>(
       model, model.supports, problem.solver);
   return std::make_unique<Equilibrium<dim>>(
     model, model.supports, problem.solver);
@@ -99,7 +99,7 @@ measure(const std::string &method, Problem &problem)
   unsigned int n_iterations = 0;
   if (method == "multigrid")
     n_iterations =
-      static_cast<MultigridEquilibrium<dim> &>(*equilibrium).n_iterations();
+      static_cast<MatrixFreeSolver<dim> &>(*equilibrium).n_iterations();
   print("unknowns", model.discretization.dof_handler.n_dofs());
   print("iterations", n_iterations);
   print("set_up", set_up);

@@ -109,7 +109,7 @@ measure(const std::string &name, const CoarseMesh<dim> &mesh)
 {
   SmallModel<dim> small({"Body/Elements=1,1,1"}, &mesh);
   const auto &batches = small.model.batches();
-  auto u = batches.imported(small.model.discretization.zero_vector());
+  auto u = batches.copy_in(small.model.discretization.zero_vector());
   for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
     u.local_element(i) = i % 7;
   auto f                  = u;

@@ -46,30 +46,30 @@ BladeEdge<dim>::BladeEdge(const std::vector<Tensor<1, dim>> &areas,
       normal += face;
       area += face.norm();
     }
-  has_plane = normal.norm() > 1e-6 * area;
-  if (has_plane)
+  is_planar = normal.norm() > 1e-6 * area;
+  if (is_planar)
     normal /= normal.norm();
   // A direction that lies in the cut up to round-off stays as it is.
   const double out_of_plane = normal * way;
-  if (has_plane && std::abs(out_of_plane) > 1e-12)
+  if (is_planar && std::abs(out_of_plane) > 1e-12)
     {
       Tensor<1, dim> projected = way - out_of_plane * normal;
       if (projected.norm() > 1e-12)
         projected /= projected.norm();
-      has_plane = projected.norm() > 0.5 &&
+      is_planar = projected.norm() > 0.5 &&
                   mean_sine(areas, projected) < mean_sine(areas, way);
-      if (has_plane)
+      if (is_planar)
         {
-          turned_by = degrees_of_sine(out_of_plane);
-          direction = projected;
+          projection_angle = degrees_of_sine(out_of_plane);
+          direction        = projected;
         }
     }
-  off_faces = degrees_of_sine(mean_sine(areas, direction));
+  angle_to_faces = degrees_of_sine(mean_sine(areas, direction));
   if constexpr (dim == 3)
     {
       // Any edge across the way, where the surface has no plane.
       Tensor<1, dim> tangent = cross_product_3d(normal, direction);
-      for (unsigned int d = 0; d < dim && !has_plane; ++d)
+      for (unsigned int d = 0; d < dim && !is_planar; ++d)
         tangent[d] = 1 - std::abs(direction[d]);
       for (unsigned int d = 1; d < dim; ++d)
         // The first of equally near axes, whatever the round-off.

@@ -118,9 +118,9 @@ holds_nodes(const Region<dim> &region,
 template <int dim>
 SupportParameters<dim>::SupportParameters(const Parameters &parameters,
                                           const Body<dim> &body)
-  : loose_pieces(parameters.text("Support", "Loose pieces") == "hold"
-                   ? LoosePieces::hold
-                   : LoosePieces::drop)
+  : floating_pieces(parameters.text("Support", "Loose pieces") == "hold"
+                      ? LoosePieces::hold
+                      : LoosePieces::drop)
 {
   // What moves comes first: see Supports::find_contradiction().
   read_displacements(parameters, body);

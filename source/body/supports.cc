@@ -9,7 +9,7 @@ using namespace dealii;
 template <int dim>
 Supports<dim>::Supports(const SupportParameters<dim> &parameters,
                         const Body<dim> &body)
-  : loose_pieces(parameters.loose_pieces)
+  : floating_pieces(parameters.floating_pieces)
   , supports(parameters.supports)
   , body(body)
 {
@@ -78,7 +78,7 @@ template <int dim>
 bool
 Supports<dim>::drop_loose_pieces() const
 {
-  return loose_pieces == SupportParameters<dim>::LoosePieces::drop;
+  return floating_pieces == SupportParameters<dim>::LoosePieces::drop;
 }
 
 

@@ -87,7 +87,7 @@ project(const Lanes *const basis, Lanes (&values)[n_points<dim>])
 /** From the displacement at the points to the forces there. */
 template <int dim, bool uniform, bool mixed>
 inline void
-resist(const CellBatch &batch, const Field<dim> &u, Field<dim> &f)
+cell_residual(const CellBatch &batch, const Field<dim> &u, Field<dim> &f)
 {
   const Gradients<dim, uniform> gradients{batch.gradients};
   const Lanes lambda = reinterpret_cast<const Lanes *>(batch.moduli)[0];
@@ -182,7 +182,7 @@ read_on_grid(const CellBatch &batch,
     batch, serendipity ? n_serendipity<dim> : n_points<dim>, vector, field);
   if constexpr (serendipity)
     for (int c = 0; c < dim; ++c)
-      expand<dim>(field[c]);
+      serendipity_to_q2<dim>(field[c]);
 }
 
 
@@ -217,16 +217,16 @@ apply(const CellBatch &batch,
   for (int c = 0; c < dim; ++c)
     to_points<dim>(u[c]);
   if (batch.pressures != nullptr)
-    batch.is_uniform ? resist<dim, true, true>(batch, u, f)
-                     : resist<dim, false, true>(batch, u, f);
+    batch.is_uniform ? cell_residual<dim, true, true>(batch, u, f)
+                     : cell_residual<dim, false, true>(batch, u, f);
   else
-    batch.is_uniform ? resist<dim, true, false>(batch, u, f)
-                     : resist<dim, false, false>(batch, u, f);
+    batch.is_uniform ? cell_residual<dim, true, false>(batch, u, f)
+                     : cell_residual<dim, false, false>(batch, u, f);
   for (int c = 0; c < dim; ++c)
     {
       to_nodes<dim>(f[c]);
       if constexpr (serendipity)
-        contract<dim>(f[c]);
+        q2_to_serendipity_transpose<dim>(f[c]);
     }
   add<dim>(batch, n_nodes, f, forces);
 }

@@ -22,11 +22,11 @@ check_balance(const ElasticModel<dim> &model,
 
   Resultant<dim> resultant(discretization);
   BodyBalance<dim> balance;
-  const auto &sites  = discretization.sites();
-  unsigned int local = 0;
+  const auto &dof_locations = discretization.dof_locations();
+  unsigned int local        = 0;
   for (const auto index : discretization.owned)
     {
-      const auto &[position, component] = sites[local++];
+      const auto &[position, component] = dof_locations[local++];
       Tensor<1, dim> force;
       force[component] = model.loads(index);
       if (model.supported.is_element(index))

@@ -108,7 +108,7 @@ CellBatches<dim>::append(std::vector<Cell> &batch, CellGeometry<dim> &geometry)
 
 template <int dim>
 void
-CellBatches<dim>::know(const IndexSet &unknowns)
+CellBatches<dim>::add_ghost_indices(const IndexSet &unknowns)
 {
   IndexSet ghosts = known->ghost_indices();
   ghosts.add_indices(unknowns);
@@ -174,7 +174,7 @@ CellBatches<dim>::apply(const Vector &displacement, Vector &forces) const
 
 template <int dim>
 typename CellBatches<dim>::Vector
-CellBatches<dim>::imported(const LA::Vector &vector) const
+CellBatches<dim>::copy_in(const LA::Vector &vector) const
 {
   Vector copy(known);
   if (vector.has_ghost_elements())
@@ -192,7 +192,7 @@ CellBatches<dim>::imported(const LA::Vector &vector) const
 
 template <int dim>
 LA::Vector
-CellBatches<dim>::exported(const Vector &vector) const
+CellBatches<dim>::copy_out(const Vector &vector) const
 {
   LA::Vector copy = discretization.zero_vector();
   std::copy(vector.begin(),
@@ -211,7 +211,7 @@ CellBatches<dim>::positions()
     {
       node_positions = std::make_unique<Vector>(known);
       double *value  = node_positions->begin();
-      for (const auto &site : discretization.sites())
+      for (const auto &site : discretization.dof_locations())
         *value++ = site.position[site.component];
       node_positions->update_ghost_values();
     }
@@ -252,7 +252,7 @@ CellBatches<dim>::operator[](const unsigned int batch) const
 
 template <int dim>
 bool
-CellBatches<dim>::is_like_last(const unsigned int batch) const
+CellBatches<dim>::same_as_previous(const unsigned int batch) const
 {
   const unsigned int n      = 2 * kernel.n_lanes;
   const double *const first = &moduli[batch * n];
@@ -284,12 +284,12 @@ template <int dim>
 LA::Vector
 internal_forces(const CellBatches<dim> &batches, const LA::Vector &displacement)
 {
-  auto u = batches.imported(displacement);
+  auto u = batches.copy_in(displacement);
   typename CellBatches<dim>::Vector f(batches.partitioner());
   u.update_ghost_values();
   batches.apply(u, f);
   f.compress(VectorOperation::add);
-  return batches.exported(f);
+  return batches.copy_out(f);
 }
 
 

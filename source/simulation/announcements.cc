@@ -72,9 +72,9 @@ describe_cut(const CutBody<dim> &body, const unsigned int cut)
        << "): " << body.seam().rows().size()
        << (body.seam().rows().size() == 1 ? " row, " : " rows, ")
        << body.seam().pairs().size() << " nodes.";
-  if (body.cut().edge.turned_by > 1e-6)
-    line << " The blade's direction is turned by " << body.cut().edge.turned_by
-         << " degrees into the cut.";
+  if (body.cut().edge.projection_angle > 1e-6)
+    line << " The blade's direction is turned by "
+         << body.cut().edge.projection_angle << " degrees into the cut.";
   return line.str();
 }
 
@@ -150,14 +150,15 @@ template <int dim>
 std::vector<std::string>
 describe_loose_pieces(const Scene<dim> &scene,
                       const CutBody<dim> &body,
-                      const std::vector<LoosePiece> &known)
+                      const std::vector<FloatingPiece> &known)
 {
   const bool drops = scene.supports.drop_loose_pieces();
   std::map<std::size_t, std::string> pieces_by_hold;
-  for (const auto &loose : body.loose_pieces)
-    if (std::none_of(known.begin(), known.end(), [&](const LoosePiece &other) {
-          return other.piece == loose.piece;
-        }))
+  for (const auto &loose : body.floating_pieces)
+    if (std::none_of(
+          known.begin(), known.end(), [&](const FloatingPiece &other) {
+            return other.piece == loose.piece;
+          }))
       pieces_by_hold[loose.hold.size()] += " " + std::to_string(loose.piece);
   std::vector<std::string> lines;
   for (const auto &[n, pieces] : pieces_by_hold)
@@ -199,9 +200,9 @@ describe_solve(const Scene<3> &, const CutBody<3> &);
 template std::vector<std::string>
 describe_loose_pieces(const Scene<2> &,
                       const CutBody<2> &,
-                      const std::vector<LoosePiece> &);
+                      const std::vector<FloatingPiece> &);
 template std::vector<std::string>
 describe_loose_pieces(const Scene<3> &,
                       const CutBody<3> &,
-                      const std::vector<LoosePiece> &);
+                      const std::vector<FloatingPiece> &);
 } // namespace Setsudan

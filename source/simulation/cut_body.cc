@@ -1,10 +1,10 @@
-#include <setsudan/cut/seam/loose_ties.h>
+#include <setsudan/cut/seam/floating_ties.h>
 #include <setsudan/cut/seam/sides.h>
 #include <setsudan/cut/surface/mesh_surgery.h>
 #include <setsudan/cut/surface/near_cut.h>
 #include <setsudan/mesh/pieces.h>
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/solver/condensed/condensed_equilibrium.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 
 #include <algorithm>
 #include <set>
@@ -59,7 +59,7 @@ CutBody<dim>::rebuild()
                                               communicator,
                                               scene.shape.element_type);
   if (scene.supports.drop_loose_pieces())
-    for (const auto &loose : loose_pieces)
+    for (const auto &loose : floating_pieces)
       remove_loads_from_piece(labels.piece, loose, *model);
 }
 
@@ -83,7 +83,7 @@ bool
 CutBody<dim>::approach(const Cut<dim> &cut)
 {
   CutSurface<dim> surface = joined_faces(mesh, cut.surface.faces);
-  for (const auto &loose : loose_pieces)
+  for (const auto &loose : floating_pieces)
     {
       const auto is_loose = [&](const CutFace<dim> &face) {
         return labels.piece[face.minus.first] == loose.piece;
@@ -179,7 +179,7 @@ CutBody<dim>::expect_single_states()
 
 
 template <int dim>
-std::shared_ptr<EquilibriumSolver>
+std::shared_ptr<TangentSolver>
 CutBody<dim>::equilibrium_under(AffineConstraints<double> &&constraints)
 {
   return choice.solver(*model,
@@ -249,7 +249,7 @@ CutBody<dim>::state_of_split_rows() const
 
 
 template <int dim>
-std::shared_ptr<EquilibriumSolver>
+std::shared_ptr<TangentSolver>
 CutBody<dim>::equilibrium()
 {
   return equilibrium_under(constraints());
@@ -258,7 +258,7 @@ CutBody<dim>::equilibrium()
 
 
 template <int dim>
-std::shared_ptr<EquilibriumSolver>
+std::shared_ptr<TangentSolver>
 CutBody<dim>::equilibrium_without(const unsigned int row)
 {
   // A free pair stays free, so that the row cannot be tied again.
@@ -266,11 +266,11 @@ CutBody<dim>::equilibrium_without(const unsigned int row)
   seam().set_row_state(row, Seam<dim>::State::free);
   std::size_t n_loose = 0;
   if (!all_held())
-    for (const auto &group : motions->find_loose(seam().links(parts)))
+    for (const auto &group : motions->find_floating(seam().links(parts)))
       n_loose += group.loose.size();
   auto without = constraints();
   seam()       = present;
-  if (n_loose > loose_pieces.size())
+  if (n_loose > floating_pieces.size())
     throw std::runtime_error(
       "Splitting row " + std::to_string(row + 1) +
       " leaves a part that nothing holds, and there is no telling what energy "
@@ -305,31 +305,32 @@ template <int dim>
 void
 CutBody<dim>::find_loose_pieces()
 {
-  const auto known    = loose_pieces;
-  const auto is_known = [&](const LoosePiece &piece) {
+  const auto known    = floating_pieces;
+  const auto is_known = [&](const FloatingPiece &piece) {
     return std::find(known.begin(), known.end(), piece) != known.end();
   };
   const bool drops = scene.supports.drop_loose_pieces();
   bool more        = !all_held();
   while (more)
     {
-      const std::size_t n_before = loose_pieces.size();
-      loose_pieces.clear();
-      for (const auto &group : motions->find_loose(seam().links(parts)))
+      const std::size_t n_before = floating_pieces.size();
+      floating_pieces.clear();
+      for (const auto &group : motions->find_floating(seam().links(parts)))
         {
           const auto &loose = group.loose;
-          loose_pieces.insert(loose_pieces.end(), loose.begin(), loose.end());
+          floating_pieces.insert(
+            floating_pieces.end(), loose.begin(), loose.end());
           if (drops || std::all_of(loose.begin(), loose.end(), is_known))
             continue;
           check_loads_on_loose_group(*model, parts, group);
           check_ties_of_loose_group(seam(), parts, group, cut().edge.direction);
         }
       // A piece that is left out holds no others, which may be loose now.
-      more = drops && loose_pieces.size() > n_before;
+      more = drops && floating_pieces.size() > n_before;
       if (more)
-        drop(loose_pieces);
+        drop(floating_pieces);
     }
-  if (loose_pieces != known)
+  if (floating_pieces != known)
     choice.forget();
 }
 
@@ -337,7 +338,7 @@ CutBody<dim>::find_loose_pieces()
 
 template <int dim>
 void
-CutBody<dim>::drop(const std::vector<LoosePiece> &loose)
+CutBody<dim>::drop(const std::vector<FloatingPiece> &loose)
 {
   std::set<unsigned int> numbers;
   for (const auto &piece : loose)
@@ -402,11 +403,11 @@ CutBody<dim>::constraints_of(const unsigned int n_seams) const
     constraints.merge(
       *part, AffineConstraints<double>::no_conflicts_allowed, true);
   if (scene.supports.drop_loose_pieces())
-    for (const auto &loose : loose_pieces)
+    for (const auto &loose : floating_pieces)
       constrain_dropped_piece(discretization, parts, loose, constraints);
-  else if (!loose_pieces.empty())
+  else if (!floating_pieces.empty())
     for (const auto index :
-         unknowns_of_hold(discretization, mesh, parts, loose_pieces))
+         unknowns_of_hold(discretization, mesh, parts, floating_pieces))
       if (constraints.can_store_line(index))
         constraints.add_line(index);
   for (unsigned int s = 0; s < n_seams; ++s)

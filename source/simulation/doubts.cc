@@ -61,7 +61,7 @@ warn_of_round_off(const SolveQuality &quality)
   message << "digits are lost: the equations are solved up to "
           << quality.residual
           << " of the loads, and displacements are uncertain by about "
-          << quality.uncertainty
+          << quality.estimated_relative_error
           << " of the largest, because the body is very slender or its "
              "stiffness very uneven (a Poisson's ratio near 1/2, flat "
              "elements, or materials far apart).";
@@ -77,8 +77,8 @@ Recorder<dim>::doubt(const Event &event,
                      const State<dim> &state,
                      const WallOverlap<dim> &overlap)
 {
-  if (!state.quality.remark.empty())
-    progress.warn(state.quality.remark);
+  if (!state.quality.warning.empty())
+    progress.warn(state.quality.warning);
   // What is known at the front only has no extremes, and no overlap.
   bool is_doubtful     = false;
   const auto doubt_for = [&](unsigned int Doubts::*const reason,
@@ -103,7 +103,8 @@ Recorder<dim>::doubt(const Event &event,
             overlap.depth > 1e-6 * scene.body.mesh.extent(),
             [&] { return warn_of_overlap(event, overlap, scene.length_unit); });
   doubt_for(&Doubts::round_off,
-            state.quality.residual > 1e-8 || state.quality.uncertainty > 1e-5,
+            state.quality.residual > 1e-8 ||
+              state.quality.estimated_relative_error > 1e-5,
             [&] { return warn_of_round_off(state.quality); });
   doubts.n_states += is_doubtful;
 }

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/simulation/equilibrium_choice.h>
-#include <setsudan/solver/condensed/condensed_equilibrium.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/equilibrium_ladder.h>
 
 namespace Setsudan
@@ -80,7 +80,7 @@ EquilibriumChoice<dim>::why_anew(const ElasticModel<dim> &model,
   if (discretization.dof_handler.n_dofs() > most_unknowns)
     return "since there are more than " + std::to_string(most_unknowns) +
            " unknowns";
-  if (CondensedEquilibrium<dim>::memory(2 * dim * seam->n_double_pairs()) >
+  if (CondensedSolver<dim>::memory(2 * dim * seam->n_double_pairs()) >
       most_memory)
     return "since the cut has too many unknowns for the memory";
   return "";
@@ -110,14 +110,14 @@ EquilibriumChoice<dim>::condense(ElasticModel<dim> &model,
                                  const bool all_held,
                                  const OtherStates &others)
 {
-  condensed = std::make_shared<CondensedEquilibrium<dim>>(
+  condensed = std::make_shared<CondensedSolver<dim>>(
     model,
     std::make_shared<const Constraints>(others.without_seam()),
     seam.coupled_indices(model.discretization.dof_handler.n_dofs()));
   const bool is_factored = is_foreseen(all_held);
   if (is_factored || (all_held && scene.output.front_only))
     others.for_each_row(
-      [&](const Constraints &later) { condensed->foresee(later); });
+      [&](const Constraints &later) { condensed->append_stage(later); });
   if (is_factored)
     condensed->factorize_foreseen();
 }
@@ -125,7 +125,7 @@ EquilibriumChoice<dim>::condense(ElasticModel<dim> &model,
 
 
 template <int dim>
-std::shared_ptr<CondensedEquilibrium<dim>>
+std::shared_ptr<CondensedSolver<dim>>
 EquilibriumChoice<dim>::all_states(ElasticModel<dim> &model,
                                    const Seam<dim> *seam,
                                    const bool all_held,
@@ -140,7 +140,7 @@ EquilibriumChoice<dim>::all_states(ElasticModel<dim> &model,
 
 
 template <int dim>
-std::shared_ptr<EquilibriumSolver>
+std::shared_ptr<TangentSolver>
 EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
                                const Seam<dim> *seam,
                                const unsigned int n_split_rows,

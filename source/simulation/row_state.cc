@@ -57,7 +57,7 @@ solve_ramp(const Scene<dim> &scene,
     blade.nodal_forces,
     zero};
   state.quality = combine(state.quality, equilibrium->quality_of_last());
-  const YieldLoad load =
+  const YieldFactor load =
     find_yield_load(judge_row(scene, body, row, base, &per_load, state.quality),
                     scene.division.max_load_factor);
 

@@ -366,7 +366,7 @@ template <int dim>
 void
 Simulation<dim>::release(const unsigned int row)
 {
-  const auto known = body.loose_pieces;
+  const auto known = body.floating_pieces;
   body.release(row);
   say_what_is_loose(known);
   ++event.released_rows;
@@ -376,7 +376,7 @@ Simulation<dim>::release(const unsigned int row)
 
 template <int dim>
 void
-Simulation<dim>::say_what_is_loose(const std::vector<LoosePiece> &known)
+Simulation<dim>::say_what_is_loose(const std::vector<FloatingPiece> &known)
 {
   for (const auto &line : describe_loose_pieces(scene, body, known))
     recorder.progress.say(line);
@@ -388,7 +388,7 @@ template <int dim>
 void
 Simulation<dim>::divide()
 {
-  const auto known = body.loose_pieces;
+  const auto known = body.floating_pieces;
   body.divide();
   say_what_is_loose(known);
   State<dim> divided =

@@ -175,14 +175,14 @@ make_cut(const Scene<dim> &scene,
   const unsigned int n_before = body.n_pieces();
   for (unsigned int row = 0; row < body.seam().rows().size(); ++row)
     {
-      const auto known = body.loose_pieces;
+      const auto known = body.floating_pieces;
       if (!body.is_left_out(row))
         body.release(row);
       for (const auto &line : describe_loose_pieces(scene, body, known))
         lines.push_back("  behind row " + std::to_string(row + 1) + ":" +
                         line.substr(1));
     }
-  const auto known = body.loose_pieces;
+  const auto known = body.floating_pieces;
   body.divide();
   for (const auto &line : describe_loose_pieces(scene, body, known))
     lines.push_back(line);

@@ -14,7 +14,7 @@ ConstrainedEquilibrium<dim>::ConstrainedEquilibrium(
   : model(model)
   , constraints(constraints)
   // The iteration's own residual differs a little from the true one.
-  , accepted(std::max(failed_above, 2 * parameters.tolerance))
+  , accepted(std::max(failure_threshold, 2 * parameters.tolerance))
 {
 }
 

@@ -20,10 +20,11 @@ Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
 {
   assemble_stiffness(
     model.discretization, model.stiffness, constraints, matrix);
-  solver->initialize(matrix,
-                     solver->is_iterative()
-                       ? rigid_modes_at<dim>(model.discretization.sites())
-                       : std::vector<std::vector<double>>());
+  solver->initialize(
+    matrix,
+    solver->is_iterative()
+      ? rigid_modes_at<dim>(model.discretization.dof_locations())
+      : std::vector<std::vector<double>>());
 }
 
 
@@ -37,8 +38,8 @@ Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
   LA::Vector x = guess;
   solver->solve(x, b);
 
-  Mending mending;
-  mending.rest_of = [&](const LA::Vector &solution) {
+  Refined mending;
+  mending.residual_of = [&](const LA::Vector &solution) {
     LA::Vector rest = b;
     matrix.residual(rest, solution, b);
     return rest;
@@ -51,14 +52,16 @@ Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
     return correction;
   };
   // Conjugate gradients that went on for long take for solved what is not.
-  const LA::Vector rest = mend(
-    x, scale * (solver->is_iterative() ? accepted : refined_above), mending);
+  const LA::Vector rest = iterative_refinement(
+    x,
+    scale * (solver->is_iterative() ? accepted : refinement_threshold),
+    mending);
 
   LA::Vector correction = x;
   solver->approximate(correction, rest);
   const double error = rest.l2_norm();
   quality            = quality_of(x, correction, error, scale);
-  if (!is_accepted(error, scale, matrix.linfty_norm(), x, accepted))
+  if (!converged(error, scale, matrix.linfty_norm(), x, accepted))
     fail();
   return x;
 }

@@ -1,6 +1,6 @@
 #include <setsudan/solver/equilibrium.h>
 #include <setsudan/solver/equilibrium_ladder.h>
-#include <setsudan/solver/multigrid_equilibrium.h>
+#include <setsudan/solver/matrix_free_solver.h>
 
 namespace Setsudan
 {
@@ -27,7 +27,7 @@ EquilibriumLadder<dim>::EquilibriumLadder(
   , fell_back(has_fallen_back)
 {
   if (!fell_back && is_matrix_free(model, parameters))
-    multigrid = std::make_unique<MultigridEquilibrium<dim>>(
+    multigrid = std::make_unique<MatrixFreeSolver<dim>>(
       model,
       *constraints,
       parameters,
@@ -89,7 +89,7 @@ EquilibriumLadder<dim>::solve(const LA::Vector &forces,
       }
   const LA::Vector x = assembled->solve(forces, prescribed, guess);
   quality            = assembled->quality_of_last();
-  quality.remark     = failure;
+  quality.warning    = failure;
   failure.clear();
   return x;
 }

@@ -235,8 +235,8 @@ Discretization<dim>::find_sites()
 
 
 template <int dim>
-const std::vector<typename Discretization<dim>::Site> &
-Discretization<dim>::sites() const
+const std::vector<typename Discretization<dim>::DofLocation> &
+Discretization<dim>::dof_locations() const
 {
   return all_sites;
 }

@@ -36,8 +36,8 @@ constexpr double is_held_below = 1e-8;
 
 
 template <int dim>
-typename HeldMotions<dim>::Frame
-HeldMotions<dim>::frame_of(const std::vector<Point<dim>> &points)
+typename RigidBodyConstraints<dim>::Frame
+RigidBodyConstraints<dim>::frame_of(const std::vector<Point<dim>> &points)
 {
   const BoundingBox<dim> box(points);
   double length = 0;
@@ -49,7 +49,8 @@ HeldMotions<dim>::frame_of(const std::vector<Point<dim>> &points)
 
 
 template <int dim>
-HeldMotions<dim>::HeldMotions(const std::vector<Frame> &bodies)
+RigidBodyConstraints<dim>::RigidBodyConstraints(
+  const std::vector<Frame> &bodies)
   : frames(bodies)
 {
 }
@@ -58,10 +59,10 @@ HeldMotions<dim>::HeldMotions(const std::vector<Frame> &bodies)
 
 template <int dim>
 void
-HeldMotions<dim>::add_displacement(const unsigned int body,
-                                   const Point<dim> &point,
-                                   const Tensor<1, dim> &direction,
-                                   Form &form) const
+RigidBodyConstraints<dim>::add_displacement(const unsigned int body,
+                                            const Point<dim> &point,
+                                            const Tensor<1, dim> &direction,
+                                            LinearForm &form) const
 {
   const auto modes =
     rigid_modes(point, frames[body].center, frames[body].length);
@@ -72,22 +73,22 @@ HeldMotions<dim>::add_displacement(const unsigned int body,
 
 
 template <int dim>
-typename HeldMotions<dim>::Form
-HeldMotions<dim>::zero() const
+typename RigidBodyConstraints<dim>::LinearForm
+RigidBodyConstraints<dim>::zero() const
 {
-  return Form(frames.size() * n_rigid_modes<dim>);
+  return LinearForm(frames.size() * n_rigid_modes<dim>);
 }
 
 
 
 template <int dim>
-typename HeldMotions<dim>::Form
-HeldMotions<dim>::unheld_part(const Form &form) const
+typename RigidBodyConstraints<dim>::LinearForm
+RigidBodyConstraints<dim>::unconstrained_part(const LinearForm &form) const
 {
-  Form rest = form;
+  LinearForm rest = form;
   // Twice, since once leaves round-off of the size of what was removed.
   for (unsigned int repeat = 0; repeat < 2; ++repeat)
-    for (const Form &held : basis)
+    for (const LinearForm &held : basis)
       rest.add(-(rest * held), held);
   return rest;
 }
@@ -96,9 +97,9 @@ HeldMotions<dim>::unheld_part(const Form &form) const
 
 template <int dim>
 void
-HeldMotions<dim>::hold(const Form &form)
+RigidBodyConstraints<dim>::hold(const LinearForm &form)
 {
-  Form rest         = unheld_part(form);
+  LinearForm rest   = unconstrained_part(form);
   const double norm = rest.l2_norm();
   if (norm < is_held_below)
     return;
@@ -110,12 +111,13 @@ HeldMotions<dim>::hold(const Form &form)
 
 template <int dim>
 void
-HeldMotions<dim>::hold(const unsigned int body, const HeldPoint<dim> &point)
+RigidBodyConstraints<dim>::hold(const unsigned int body,
+                                const HeldPoint<dim> &point)
 {
   for (unsigned int c = 0; c < dim && !holds_all(); ++c)
     if (point.components[c])
       {
-        Form form = zero();
+        LinearForm form = zero();
         add_displacement(body,
                          point.position,
                          Tensor<1, dim>(Point<dim>::unit_vector(c)),
@@ -128,7 +130,7 @@ HeldMotions<dim>::hold(const unsigned int body, const HeldPoint<dim> &point)
 
 template <int dim>
 bool
-HeldMotions<dim>::holds_all() const
+RigidBodyConstraints<dim>::holds_all() const
 {
   return basis.size() == frames.size() * n_rigid_modes<dim>;
 }
@@ -137,13 +139,13 @@ HeldMotions<dim>::holds_all() const
 
 template <int dim>
 bool
-HeldMotions<dim>::holds(const unsigned int body) const
+RigidBodyConstraints<dim>::holds(const unsigned int body) const
 {
   for (unsigned int m = 0; m < n_rigid_modes<dim>; ++m)
     {
-      Form motion                           = zero();
+      LinearForm motion                     = zero();
       motion(body * n_rigid_modes<dim> + m) = 1;
-      if (unheld_part(motion).l2_norm() >= is_held_below)
+      if (unconstrained_part(motion).l2_norm() >= is_held_below)
         return false;
     }
   return true;
@@ -153,12 +155,13 @@ HeldMotions<dim>::holds(const unsigned int body) const
 
 template <int dim>
 std::vector<std::vector<PointComponent>>
-HeldMotions<dim>::hold_all(const std::vector<std::vector<Point<dim>>> &points)
+RigidBodyConstraints<dim>::hold_all(
+  const std::vector<std::vector<Point<dim>>> &points)
 {
   std::vector<std::vector<PointComponent>> hold_of_body(frames.size());
   while (!holds_all())
     {
-      Form best          = zero();
+      LinearForm best    = zero();
       double best_norm   = 0;
       unsigned int where = 0;
       PointComponent best_component;
@@ -166,12 +169,12 @@ HeldMotions<dim>::hold_all(const std::vector<std::vector<Point<dim>>> &points)
         for (unsigned int p = 0; p < points[body].size(); ++p)
           for (unsigned int c = 0; c < dim; ++c)
             {
-              Form form = zero();
+              LinearForm form = zero();
               add_displacement(body,
                                points[body][p],
                                Tensor<1, dim>(Point<dim>::unit_vector(c)),
                                form);
-              const double norm = unheld_part(form).l2_norm();
+              const double norm = unconstrained_part(form).l2_norm();
               // A clear winner only, so that round-off does not choose.
               if (norm > best_norm * (1 + 1e-10))
                 {
@@ -196,7 +199,8 @@ std::vector<PointComponent>
 find_minimal_hold(const std::vector<HeldPoint<dim>> &held,
                   const std::vector<Point<dim>> &candidates)
 {
-  HeldMotions<dim> motions({HeldMotions<dim>::frame_of(candidates)});
+  RigidBodyConstraints<dim> motions(
+    {RigidBodyConstraints<dim>::frame_of(candidates)});
   for (const auto &point : held)
     motions.hold(0, point);
   return motions.hold_all({candidates}).front();
@@ -204,8 +208,8 @@ find_minimal_hold(const std::vector<HeldPoint<dim>> &held,
 
 
 
-template class HeldMotions<2>;
-template class HeldMotions<3>;
+template class RigidBodyConstraints<2>;
+template class RigidBodyConstraints<3>;
 template std::array<Tensor<1, 2>, 3>
 rigid_modes(const Point<2> &, const Point<2> &, const double);
 template std::array<Tensor<1, 3>, 6>

@@ -16,7 +16,7 @@ using CellValues = std::vector<double>;
 /** The process at which a cell's values are left and asked for: the processes
  * of the two meshes know nothing of each other's cells but their names. */
 unsigned int
-meeting_place(const CellPath &path, const MPI_Comm communicator)
+rendezvous_process(const CellPath &path, const MPI_Comm communicator)
 {
   return path.element % Utilities::MPI::n_mpi_processes(communicator);
 }
@@ -36,8 +36,8 @@ collect_values(const Discretization<dim> &discretization,
           for (const auto index : node)
             of_cell.push_back(displacement(index));
         const CellPath path = path_of_cell<dim>(cell);
-        values[meeting_place(path, discretization.communicator)].emplace_back(
-          path, of_cell);
+        values[rendezvous_process(path, discretization.communicator)]
+          .emplace_back(path, of_cell);
       }
   return values;
 }
@@ -80,7 +80,7 @@ transfer(const Discretization<dim> &from,
     if (cell->is_locally_owned())
       {
         const CellPath path = path_of_cell<dim>(cell);
-        wanted[meeting_place(path, to.communicator)].push_back(path);
+        wanted[rendezvous_process(path, to.communicator)].push_back(path);
       }
   const auto values =
     exchange(collect_values(from, displacement), wanted, to.communicator);

@@ -1,7 +1,7 @@
 // Small meshes, written as the text of gmsh files of version 2.2.
 #pragma once
 
-#include <setsudan/mesh/gmsh_order.h>
+#include <setsudan/mesh/node_order.h>
 
 #include <algorithm>
 #include <array>

@@ -82,8 +82,8 @@ print_edge(const std::vector<dealii::Tensor<1, dim>> &areas,
   for (unsigned int d = 0; d < dim; ++d)
     std::cout << (d == 0 ? "" : " ")
               << (std::abs(edge.direction[d]) < 1e-15 ? 0. : edge.direction[d]);
-  std::cout << "), turned by " << edge.turned_by << " degrees and "
-            << (edge.off_faces < 1e-12 ? 0. : edge.off_faces)
+  std::cout << "), turned by " << edge.projection_angle << " degrees and "
+            << (edge.angle_to_faces < 1e-12 ? 0. : edge.angle_to_faces)
             << " off the faces, along "
             << "xyz"[edge.axis] << std::endl;
 }

@@ -92,7 +92,7 @@ private:
     unsigned int local    = 0;
     for (const auto index : discretization.owned)
       {
-        const auto &site = discretization.sites()[local++];
+        const auto &site = discretization.dof_locations()[local++];
         if (holds(site.position))
           {
             constraints.add_line(index);

@@ -63,7 +63,7 @@ test(const std::string &name,
     pieces[cell] = cell;
   const PieceMotions<dim> motions(small.body.mesh, pieces, small.supports);
   std::cout << dim << "D, " << name << ":";
-  for (const auto &group : motions.find_loose(links))
+  for (const auto &group : motions.find_floating(links))
     {
       for (const auto &loose : group.loose)
         std::cout << " " << loose.piece << " (" << loose.hold.size() << ")";

@@ -74,12 +74,13 @@ template <int dim, typename Function>
 LA::Vector
 nodal_values(const Discretization<dim> &discretization, const Function &value)
 {
-  LA::Vector vector  = discretization.zero_vector();
-  const auto &sites  = discretization.sites();
-  unsigned int local = 0;
+  LA::Vector vector         = discretization.zero_vector();
+  const auto &dof_locations = discretization.dof_locations();
+  unsigned int local        = 0;
   for (const auto index : discretization.owned)
     {
-      vector(index) = value(sites[local].position)[sites[local].component];
+      vector(index) =
+        value(dof_locations[local].position)[dof_locations[local].component];
       ++local;
     }
   vector.compress(dealii::VectorOperation::insert);

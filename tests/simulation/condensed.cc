@@ -4,7 +4,7 @@
 // again.
 
 #include <setsudan/simulation/state.h>
-#include <setsudan/solver/condensed/condensed_equilibrium.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/equilibrium.h>
 
 #include <cmath>
@@ -67,8 +67,7 @@ test_solve(const std::string &name,
           const auto without =
             looks_ahead ? body.equilibrium_without(row) : body.equilibrium();
           is_condensed =
-            is_condensed &&
-            dynamic_cast<CondensedEquilibrium<dim> *>(without.get());
+            is_condensed && dynamic_cast<CondensedSolver<dim> *>(without.get());
           largest = std::max(largest, difference(scene, body, blade));
           body.release(row);
         }

@@ -34,7 +34,7 @@ divide(const std::string &body_force,
       body.approach(scene.cut.cuts[0]);
       body.open();
       body.divide();
-      for (const auto &loose : body.loose_pieces)
+      for (const auto &loose : body.floating_pieces)
         std::cout << "  piece " << loose.piece << " of " << body.n_pieces()
                   << " is held at " << loose.hold.size() << " components"
                   << std::endl;
@@ -51,7 +51,7 @@ divide(const std::string &body_force,
           for (const auto index : unknowns_of_hold(discretization,
                                                    body.mesh,
                                                    body.labels.piece,
-                                                   body.loose_pieces))
+                                                   body.floating_pieces))
             strain = std::max(strain, std::abs(held(index)));
           check_below("  forces that hold it", strain, 1e-12);
         }

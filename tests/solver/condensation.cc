@@ -6,9 +6,9 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <setsudan/kernel/blas.h>
-#include <setsudan/solver/condensed/condensation.h>
-#include <setsudan/solver/condensed/growing_cholesky.h>
-#include <setsudan/solver/condensed/uncoupled_parts.h>
+#include <setsudan/solver/condensed/connected_components.h>
+#include <setsudan/solver/condensed/incremental_cholesky.h>
+#include <setsudan/solver/condensed/static_condensation.h>
 
 #include <cmath>
 
@@ -40,8 +40,8 @@ solve(const CholeskyFactor &factor, const LA::Vector &b)
 {
   LA::Vector x                = b;
   std::vector<double> ordered = factor.in_order(b);
-  factor.eliminate(ordered);
-  factor.recover(ordered);
+  factor.forward_eliminate(ordered);
+  factor.back_substitute(ordered);
   factor.from_order(ordered, x);
   return x;
 }
@@ -78,7 +78,7 @@ test_complement(SolvedModel<3> &solved)
   const LA::SparseMatrix matrix = assemble(solved);
   const auto last               = some_unknowns(solved);
   const CholeskyFactor whole(matrix);
-  const Condensation condensation(matrix, last);
+  const StaticCondensation condensation(matrix, last);
   const SchurComplement &complement = condensation.stiffness();
   double error                      = 0;
   for (const unsigned int j : {0u, 1u, unsigned(last.size() - 1)})
@@ -125,7 +125,7 @@ void
 test_parts(SolvedModel<3> &solved, const unsigned int n_parts)
 {
   const LA::SparseMatrix matrix = repeat(assemble(solved), n_parts);
-  std::cout << "parts: " << uncoupled_parts(matrix).size() << std::endl;
+  std::cout << "parts: " << connected_components(matrix).size() << std::endl;
   std::vector<unsigned int> cut;
   const unsigned int n = solved.displacement.size();
   for (unsigned int part = 0; part < n_parts; ++part)
@@ -136,21 +136,21 @@ test_parts(SolvedModel<3> &solved, const unsigned int n_parts)
     b(i) = std::sin(7. * i);
   const LA::Vector expected = solve(CholeskyFactor(matrix), b);
 
-  const Condensation condensation(matrix, cut);
-  const auto eliminated = condensation.eliminate(b);
-  GrowingCholesky of_cut(cut.size());
+  const StaticCondensation condensation(matrix, cut);
+  const auto eliminated = condensation.forward_eliminate(b);
+  IncrementalCholesky of_cut(cut.size());
   of_cut.append(cut.size(), condensation.stiffness());
   auto u = eliminated.on_cut;
   of_cut.solve(u);
   LA::Vector x = b;
-  condensation.recover(eliminated, u, x);
+  condensation.back_substitute(eliminated, u, x);
   x -= expected;
   check_below("all", x.linfty_norm() / expected.linfty_norm(), 1e-11);
 
   const std::vector<unsigned int> wanted{5, 77, n * n_parts - 20};
   const auto steps = condensation.steps_for(wanted);
   LA::Vector some  = b;
-  condensation.recover(eliminated, u, some, &steps);
+  condensation.back_substitute(eliminated, u, some, &steps);
   double error = 0;
   for (const unsigned int unknown : wanted)
     error = std::max(error, std::abs(some(unknown) - expected(unknown)));
@@ -162,9 +162,9 @@ void
 test_growing(SolvedModel<3> &solved)
 {
   const auto last = some_unknowns(solved);
-  const Condensation condensation(assemble(solved), last);
+  const StaticCondensation condensation(assemble(solved), last);
   const SchurComplement &s = condensation.stiffness();
-  GrowingCholesky growing(last.size());
+  IncrementalCholesky growing(last.size());
   const auto append = [&](const unsigned int n) {
     growing.append(n - growing.size(), s);
   };
@@ -216,7 +216,7 @@ test_failures()
     {
       std::cout << error.what() << std::endl;
     }
-  GrowingCholesky growing(2);
+  IncrementalCholesky growing(2);
   try
     {
       growing.append(2, [](const unsigned int i, const unsigned int j) {

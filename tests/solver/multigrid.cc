@@ -2,7 +2,7 @@
 // iterations whose number does not grow with the body: for all shapes, elements
 // and supports, and hanging nodes. Scenes try ties and materials far apart.
 
-#include <setsudan/solver/multigrid_equilibrium.h>
+#include <setsudan/solver/matrix_free_solver.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -35,26 +35,25 @@ constraints_of(const ElasticModel<dim> &model, const bool more)
  * serves or not. */
 template <int dim>
 void
-compare_kept(SolvedModel<dim> &solved, const MultigridEquilibrium<dim> &fresh)
+compare_kept(SolvedModel<dim> &solved, const MatrixFreeSolver<dim> &fresh)
 {
   auto &model      = solved.model;
-  const auto solve = [&](MultigridEquilibrium<dim> &equilibrium) {
+  const auto solve = [&](MatrixFreeSolver<dim> &equilibrium) {
     return equilibrium.solve(
       model.loads, model.prescribed, model.discretization.zero_vector());
   };
   const auto few  = constraints_of(model, false);
   const auto many = constraints_of(model, true);
-  MultigridEquilibrium<dim> strict(model, many, solved.solver_parameters);
+  MatrixFreeSolver<dim> strict(model, many, solved.solver_parameters);
   const LA::Vector held = solve(strict);
-  MultigridEquilibrium<dim> kept(model, few, solved.solver_parameters, &strict);
+  MatrixFreeSolver<dim> kept(model, few, solved.solver_parameters, &strict);
   LA::Vector difference = solve(kept);
   difference -= solved.displacement;
   check_below_on_all("  kept",
                      difference.linfty_norm() /
                        solved.displacement.linfty_norm(),
                      1e-8);
-  MultigridEquilibrium<dim> not_kept(
-    model, many, solved.solver_parameters, &fresh);
+  MatrixFreeSolver<dim> not_kept(model, many, solved.solver_parameters, &fresh);
   difference = solve(not_kept);
   difference -= held;
   check_below_on_all("  not kept",
@@ -85,7 +84,7 @@ compare(const std::string &name,
                             : SolvedModel<dim>(parameters, *mesh, refinement);
   auto &model           = solved.model;
   const auto constraints = constraints_of(model, false);
-  MultigridEquilibrium<dim> equilibrium(
+  MatrixFreeSolver<dim> equilibrium(
     model, constraints, solved.solver_parameters);
   LA::Vector difference = equilibrium.solve(
     model.loads, model.prescribed, model.discretization.zero_vector());

@@ -36,12 +36,12 @@ struct BladeEdge
   /** Unit vector of the blade's travel in the cut. */
   dealii::Tensor<1, dim> direction;
   /** By which angle the projection turned it [degrees]. */
-  double turned_by = 0;
+  double projection_angle = 0;
   /** The angle between it and the faces, whose sine is the mean over their
    * areas [degrees]. */
-  double off_faces = 0;
+  double angle_to_faces = 0;
   /** Whether the surface has a plane, along which the edge lies. */
-  bool has_plane = false;
+  bool is_planar = false;
   /** The axis nearest to the edge. */
   unsigned int axis = 0;
 };

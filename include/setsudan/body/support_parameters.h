@@ -36,7 +36,7 @@ struct SupportParameters
   };
 
   std::vector<Support<dim>> supports;
-  LoosePieces loose_pieces;
+  LoosePieces floating_pieces;
 
   static void
   declare(dealii::ParameterHandler &handler);

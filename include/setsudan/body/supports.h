@@ -60,7 +60,7 @@ public:
   drop_loose_pieces() const;
 
 private:
-  const typename SupportParameters<dim>::LoosePieces loose_pieces;
+  const typename SupportParameters<dim>::LoosePieces floating_pieces;
   const std::vector<Support<dim>> supports;
   const Body<dim> &body;
 };

@@ -79,7 +79,7 @@ second_stride(const int place)
 /** What serendipity functions are at the places where they have no node. */
 template <int dim>
 inline void
-expand(Lanes (&u)[n_points<dim>])
+serendipity_to_q2(Lanes (&u)[n_points<dim>])
 {
 #pragma GCC unroll 27
   for (int place = 0; place < n_points<dim>; ++place)
@@ -106,10 +106,10 @@ expand(Lanes (&u)[n_points<dim>])
 
 
 
-/** The transpose of expand(). */
+/** The transpose of serendipity_to_q2(). */
 template <int dim>
 inline void
-contract(Lanes (&f)[n_points<dim>])
+q2_to_serendipity_transpose(Lanes (&f)[n_points<dim>])
 {
   if constexpr (dim == 3)
     {

@@ -35,7 +35,7 @@ public:
   /** Let vectors have these unknowns too, besides this process's own and those
    * of its cells. */
   void
-  know(const dealii::IndexSet &unknowns);
+  add_ghost_indices(const dealii::IndexSet &unknowns);
 
   /** How vectors are distributed. */
   const std::shared_ptr<const Partitioner> &
@@ -50,11 +50,11 @@ public:
 
   /** A copy of this process's own part of a vector, with room for ghosts. */
   Vector
-  imported(const LA::Vector &vector) const;
+  copy_in(const LA::Vector &vector) const;
 
-  /** The opposite of imported(). */
+  /** The opposite of copy_in(). */
   LA::Vector
-  exported(const Vector &vector) const;
+  copy_out(const Vector &vector) const;
 
   /** The positions of the nodes, with ghosts, made when first asked for. */
   const Vector &
@@ -68,7 +68,7 @@ public:
 
   /** Whether a batch has the shapes and the moduli of the one before. */
   bool
-  is_like_last(const unsigned int batch) const;
+  same_as_previous(const unsigned int batch) const;
 
   unsigned int
   n_nodes() const;

@@ -49,5 +49,5 @@ template <int dim>
 std::vector<std::string>
 describe_loose_pieces(const Scene<dim> &scene,
                       const CutBody<dim> &body,
-                      const std::vector<LoosePiece> &known);
+                      const std::vector<FloatingPiece> &known);
 } // namespace Setsudan

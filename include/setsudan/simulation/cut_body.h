@@ -81,7 +81,7 @@ public:
 
   /** The equilibrium under these constraints. It may be the same object at the
    * next call, for others. */
-  std::shared_ptr<EquilibriumSolver>
+  std::shared_ptr<TangentSolver>
   equilibrium();
 
   /**
@@ -89,7 +89,7 @@ public:
    * the next to split; what it is elsewhere is of no use. Nothing where there
    * is no less work to find only that.
    *
-   * @param forces, prescribed as in EquilibriumSolver::solve().
+   * @param forces, prescribed as in TangentSolver::solve().
    */
   std::optional<LA::Vector>
   displacement_near_front(const unsigned int row,
@@ -116,7 +116,7 @@ public:
   /** The equilibrium if the ties of one row were taken off.
    *
    * @throw std::runtime_error where that leaves a part which nothing holds. */
-  std::shared_ptr<EquilibriumSolver>
+  std::shared_ptr<TangentSolver>
   equilibrium_without(const unsigned int row);
 
   unsigned int
@@ -139,7 +139,7 @@ public:
   CoarseMesh<dim> mesh;
   std::unique_ptr<ElasticModel<dim>> model;
   std::vector<Seam<dim>> seams;
-  std::vector<LoosePiece> loose_pieces;
+  std::vector<FloatingPiece> floating_pieces;
   ElementLabels labels;
 
 private:
@@ -148,7 +148,7 @@ private:
   find_loose_pieces();
 
   void
-  drop(const std::vector<LoosePiece> &loose);
+  drop(const std::vector<FloatingPiece> &loose);
 
   /** Supports, hanging nodes, the first seams and what holds loose pieces;
    * closed. */
@@ -168,7 +168,7 @@ private:
   typename EquilibriumChoice<dim>::OtherStates
   other_states();
 
-  std::shared_ptr<EquilibriumSolver>
+  std::shared_ptr<TangentSolver>
   equilibrium_under(dealii::AffineConstraints<double> &&constraints);
 
   /** A cut that has been begun, and the faces that it opens. */

@@ -3,7 +3,7 @@
 #include <setsudan/cut/seam/seam.h>
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/simulation/scene.h>
-#include <setsudan/solver/equilibrium_solver.h>
+#include <setsudan/solver/tangent_solver.h>
 
 #include <functional>
 #include <memory>
@@ -12,7 +12,7 @@
 namespace Setsudan
 {
 template <int dim>
-class CondensedEquilibrium;
+class CondensedSolver;
 template <int dim>
 class EquilibriumLadder;
 
@@ -70,7 +70,7 @@ public:
    * call, for others.
    *
    * @param n_split_rows of the newest seam. */
-  std::shared_ptr<EquilibriumSolver>
+  std::shared_ptr<TangentSolver>
   solver(ElasticModel<dim> &model,
          const Seam<dim> *seam,
          const unsigned int n_split_rows,
@@ -80,7 +80,7 @@ public:
 
   /** The equilibrium in all states of the newest cut, where it is prepared at
    * once; nothing where it is not. */
-  std::shared_ptr<CondensedEquilibrium<dim>>
+  std::shared_ptr<CondensedSolver<dim>>
   all_states(ElasticModel<dim> &model,
              const Seam<dim> *seam,
              const bool all_held,
@@ -101,7 +101,7 @@ private:
   const Scene<dim> &scene;
   bool has_single_states = false;
   bool has_fallen_back   = false;
-  std::shared_ptr<CondensedEquilibrium<dim>> condensed;
+  std::shared_ptr<CondensedSolver<dim>> condensed;
   /** The last one for a single state. */
   std::shared_ptr<EquilibriumLadder<dim>> ladder;
 };

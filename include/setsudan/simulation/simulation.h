@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/simulation/record/checkpoint_keeper.h>
+#include <setsudan/simulation/record/checkpoint_schedule.h>
 #include <setsudan/simulation/record/recorder.h>
 #include <setsudan/simulation/state.h>
 
@@ -95,7 +95,7 @@ private:
 
   /** Name the pieces that are loose now, besides those `known` before. */
   void
-  say_what_is_loose(const std::vector<LoosePiece> &known);
+  say_what_is_loose(const std::vector<FloatingPiece> &known);
 
   /** Take a solved state, and check what must hold from the last to it. */
   void
@@ -104,7 +104,7 @@ private:
   const Scene<dim> &scene;
   const std::optional<Checkpoint> checkpoint;
   Recorder<dim> recorder;
-  CheckpointKeeper checkpoints;
+  CheckpointSchedule checkpoints;
   CutBody<dim> body;
   State<dim> state;
   /** The last one that was known in the whole body, if `state` is not. */

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <setsudan/mechanics/elastic_model.h>
-#include <setsudan/solver/equilibrium_solver.h>
 #include <setsudan/solver/solver_parameters.h>
+#include <setsudan/solver/tangent_solver.h>
 
 namespace Setsudan
 {
 /** The equilibrium for one set of constraints, but for the way in which the
  * condensed equations are solved. */
 template <int dim>
-class ConstrainedEquilibrium : public EquilibriumSolver
+class ConstrainedEquilibrium : public TangentSolver
 {
 public:
   /**

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <setsudan/mechanics/elastic_model.h>
-#include <setsudan/solver/equilibrium_solver.h>
 #include <setsudan/solver/solver_parameters.h>
+#include <setsudan/solver/tangent_solver.h>
 
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@ namespace Setsudan
 template <int dim>
 class Equilibrium;
 template <int dim>
-class MultigridEquilibrium;
+class MatrixFreeSolver;
 
 /**
  * The equilibrium for one set of constraints by the solver that suits the
@@ -20,7 +20,7 @@ class MultigridEquilibrium;
  * of the assembled matrix where that does not converge.
  */
 template <int dim>
-class EquilibriumLadder : public EquilibriumSolver
+class EquilibriumLadder : public TangentSolver
 {
 public:
   using Constraints = dealii::AffineConstraints<double>;
@@ -68,7 +68,7 @@ private:
   ElasticModel<dim> &model;
   const std::shared_ptr<const Constraints> constraints;
   SolverParameters parameters;
-  std::unique_ptr<MultigridEquilibrium<dim>> multigrid;
+  std::unique_ptr<MatrixFreeSolver<dim>> multigrid;
   std::unique_ptr<Equilibrium<dim>> assembled;
   /** What went wrong with multigrid, until it has been said. */
   std::string failure;

@@ -82,15 +82,16 @@ public:
   with_ghosts(const LA::Vector &vector) const;
 
   /** Where an unknown of this process lies. */
-  struct Site
+  struct DofLocation
   {
     dealii::Point<dim> position;
     unsigned int component;
   };
 
-  /** The sites of this process's unknowns, in the order of their numbers. */
-  const std::vector<Site> &
-  sites() const;
+  /** The dof_locations of this process's unknowns, in the order of their
+   * numbers. */
+  const std::vector<DofLocation> &
+  dof_locations() const;
 
   const MPI_Comm communicator;
   const ElementType type;
@@ -115,7 +116,7 @@ private:
   /** Positions of the nodes, as unknowns of the space, of a curved body. */
   LA::Vector positions;
   std::unique_ptr<dealii::Mapping<dim>> shape;
-  std::vector<Site> all_sites;
+  std::vector<DofLocation> all_sites;
   /** What vectors are copied from, which takes less time than to make them. */
   LA::Vector zero, zero_with_ghosts;
 };

@@ -7,8 +7,9 @@
 namespace Setsudan
 {
 /** The rigid motions of a body, which elements do not resist: for each its
- * value in the unknowns at these sites, one vector each. */
+ * value in the unknowns at these dof_locations, one vector each. */
 template <int dim>
 std::vector<std::vector<double>>
-rigid_modes_at(const std::vector<typename Discretization<dim>::Site> &sites);
+rigid_modes_at(
+  const std::vector<typename Discretization<dim>::DofLocation> &dof_locations);
 } // namespace Setsudan

@@ -37,11 +37,11 @@ using PointComponent = std::pair<unsigned int, unsigned int>;
  * which an orthonormal basis grows here.
  */
 template <int dim>
-class HeldMotions
+class RigidBodyConstraints
 {
 public:
   /** A linear form: its value in every rigid motion, body by body. */
-  using Form = dealii::Vector<double>;
+  using LinearForm = dealii::Vector<double>;
 
   /** The point that the motions of a body turn about, and half its size, which
    * makes them all of order one. */
@@ -54,7 +54,7 @@ public:
   static Frame
   frame_of(const std::vector<dealii::Point<dim>> &points);
 
-  explicit HeldMotions(const std::vector<Frame> &bodies);
+  explicit RigidBodyConstraints(const std::vector<Frame> &bodies);
 
   /** Add the displacement of a point of a body along `direction` to a form (see
    * zero()). A force does this as work, with its length. */
@@ -62,19 +62,19 @@ public:
   add_displacement(const unsigned int body,
                    const dealii::Point<dim> &point,
                    const dealii::Tensor<1, dim> &direction,
-                   Form &form) const;
+                   LinearForm &form) const;
 
-  Form
+  LinearForm
   zero() const;
 
   /** What is left of a form where all that is held does not move: for a
    * displacement of length one, from 0 to about 1. */
-  Form
-  unheld_part(const Form &form) const;
+  LinearForm
+  unconstrained_part(const LinearForm &form) const;
 
   /** Hold a form, unless it is held already. */
   void
-  hold(const Form &form);
+  hold(const LinearForm &form);
 
   /** Hold what a support does of a point. */
   void
@@ -99,7 +99,7 @@ public:
 
 private:
   const std::vector<Frame> frames;
-  std::vector<Form> basis;
+  std::vector<LinearForm> basis;
 };
 
 /**

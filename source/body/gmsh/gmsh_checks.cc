@@ -1,6 +1,6 @@
 #include <setsudan/body/gmsh/gmsh_checks.h>
 #include <setsudan/mesh/geometry.h>
-#include <setsudan/mesh/gmsh_order.h>
+#include <setsudan/mesh/node_order.h>
 
 #include <algorithm>
 #include <cmath>

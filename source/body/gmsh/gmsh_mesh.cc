@@ -7,7 +7,7 @@
 #include <setsudan/body/gmsh/gmsh_mesh.h>
 #include <setsudan/body/gmsh/gmsh_selection.h>
 #include <setsudan/body/gmsh/gmsh_session.h>
-#include <setsudan/mesh/gmsh_order.h>
+#include <setsudan/mesh/node_order.h>
 #include <setsudan/parameters/lists.h>
 
 #include <gmsh.h>

@@ -27,7 +27,7 @@ namespace
  * path of the cell in its element, node of the cell, supported components,
  * unknowns. */
 template <int dim>
-using Report = std::array<std::uint64_t, 5 + dim>;
+using SideRecord = std::array<std::uint64_t, 5 + dim>;
 
 template <int dim>
 std::uint64_t
@@ -41,7 +41,7 @@ supported_components(const ElasticModel<dim> &model,
 }
 
 template <int dim>
-std::vector<Report<dim>>
+std::vector<SideRecord<dim>>
 report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
 {
   std::multimap<unsigned int, std::pair<unsigned int, unsigned int>> sides;
@@ -51,7 +51,7 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
       sides.emplace(surface[f].plus.first, std::make_pair(f, 1));
     }
 
-  std::vector<Report<dim>> reports;
+  std::vector<SideRecord<dim>> reports;
   const auto &discretization = model.discretization;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -74,7 +74,7 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
                   // A refined cell may lie away from its element's face.
                   if (points[node][face / 2] != face % 2)
                     break;
-                  Report<dim> report{
+                  SideRecord<dim> report{
                     {f,
                      side,
                      path,
@@ -108,7 +108,7 @@ public:
   }
 
   void
-  add(const Report<dim> &report)
+  add(const SideRecord<dim> &report)
   {
     const CutFace<dim> &face = surface[report[0]];
     const bool is_minus      = report[1] == 0;

@@ -43,10 +43,10 @@ SeamCells<dim>::SeamCells(const ElasticModel<dim> &model, const Seam<dim> &seam)
 
 
 template <int dim>
-std::vector<typename SeamCells<dim>::Meeting>
+std::vector<typename SeamCells<dim>::AdjacentCell>
 SeamCells<dim>::at_front(const Row &row) const
 {
-  std::map<unsigned int, Meeting> meetings;
+  std::map<unsigned int, AdjacentCell> meetings;
   for (const unsigned int pair : row.front)
     for (const auto &[cell, node] : of_pairs[pair])
       {
@@ -55,7 +55,7 @@ SeamCells<dim>::at_front(const Row &row) const
         meeting.nodes.push_back(node);
         meeting.pairs.push_back(pair);
       }
-  std::vector<Meeting> result;
+  std::vector<AdjacentCell> result;
   for (auto &[cell, meeting] : meetings)
     result.push_back(std::move(meeting));
   return result;

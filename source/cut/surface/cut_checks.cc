@@ -54,7 +54,8 @@ check_blade(const Parameters &parameters,
             const Cut<dim> &cut)
 {
   // 45 degrees themselves are allowed, whatever round-off makes of them.
-  const double off = std::max(cut.edge.turned_by, cut.edge.off_faces);
+  const double off =
+    std::max(cut.edge.projection_angle, cut.edge.angle_to_faces);
   parameters.require(
     off <= 45 + 1e-6,
     "Blade",
@@ -99,7 +100,7 @@ check_blade(const Parameters &parameters,
                      "a direction into the body from a side that is not fixed");
 
   // Along a closed surface positions are lengths, which nothing limits yet.
-  if (!cut.edge.has_plane)
+  if (!cut.edge.is_planar)
     return;
   const auto ends =
     std::minmax_element(nodes.begin(), nodes.end(), by(&Node::position));

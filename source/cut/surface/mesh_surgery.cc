@@ -13,10 +13,10 @@ namespace
 {
 /** The cells around the vertices of a cut, and the faces that join them. */
 template <int dim>
-class Fans
+class VertexPatches
 {
 public:
-  Fans(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface)
+  VertexPatches(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface)
     : mesh(mesh)
   {
     for (const auto &face : surface)
@@ -65,7 +65,8 @@ public:
 
     std::vector<unsigned int> name(fan.size());
     std::iota(name.begin(), name.end(), 0);
-    // Fans are small: let the smaller name spread until nothing changes.
+    // VertexPatches are small: let the smaller name spread until nothing
+    // changes.
     for (bool changed = true; changed;)
       {
         changed = false;
@@ -101,7 +102,7 @@ CoarseMesh<dim>
 split_mesh(const CoarseMesh<dim> &mesh, const CutSurface<dim> &surface)
 {
   CoarseMesh<dim> split = mesh;
-  const Fans<dim> fans(mesh, joined_faces(mesh, surface));
+  const VertexPatches<dim> fans(mesh, joined_faces(mesh, surface));
   for (const auto &[vertex, fan] : fans.at_vertices())
     {
       const auto components = fans.components(vertex);

@@ -40,16 +40,17 @@ stresses_at_nodes(const ElasticModel<dim> &model,
                                             model.materials,
                                             node_points(discretization),
                                             update_values);
-  const auto stresses_of = [&](const typename SeamCells<dim>::Meeting &at) {
-    if (!recovery)
-      return cells.stresses(at.cell, at.nodes, displacement);
-    recovery->reinit(at.cell, displacement);
-    const auto of_cell = stresses_of_cell(at.cell, *recovery, recovered);
-    std::vector<SymmetricTensor<2, 3>> of_nodes;
-    for (const unsigned int node : at.nodes)
-      of_nodes.push_back(of_cell[node]);
-    return of_nodes;
-  };
+  const auto stresses_of =
+    [&](const typename SeamCells<dim>::AdjacentCell &at) {
+      if (!recovery)
+        return cells.stresses(at.cell, at.nodes, displacement);
+      recovery->reinit(at.cell, displacement);
+      const auto of_cell = stresses_of_cell(at.cell, *recovery, recovered);
+      std::vector<SymmetricTensor<2, 3>> of_nodes;
+      for (const unsigned int node : at.nodes)
+        of_nodes.push_back(of_cell[node]);
+      return of_nodes;
+    };
   FrontStresses stresses;
   for (const auto &at : cells.at_front(row))
     {

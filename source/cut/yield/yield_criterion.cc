@@ -147,7 +147,7 @@ superpose(const FrontStresses &base,
 
 
 
-YieldLoad
+YieldFactor
 find_yield_load(const std::function<CuttingStress(double)> &stress_at,
                 const double max_load_factor)
 {

@@ -107,7 +107,7 @@ describe_loose_part(const Body<dim> &body, const Supports<dim> &supports)
     return {};
   const auto parts_of_vertices = collect_parts_of_vertices(body.mesh, parts);
   const auto groups =
-    motions.find_loose(link_parts(body.mesh, parts_of_vertices));
+    motions.find_floating(link_parts(body.mesh, parts_of_vertices));
   if (groups.empty())
     return {};
   std::size_t n_ways = 0;

@@ -28,7 +28,8 @@ PieceMotions<dim>::PieceMotions(const CoarseMesh<dim> &mesh,
         {vertices.begin(), vertices.end()}, {}, supports.held_points(elements)};
       for (const unsigned int vertex : piece.vertices)
         piece.positions.push_back(mesh.vertices[vertex]);
-      HeldMotions<dim> motions({HeldMotions<dim>::frame_of(piece.positions)});
+      RigidBodyConstraints<dim> motions(
+        {RigidBodyConstraints<dim>::frame_of(piece.positions)});
       for (const auto &point : piece.supports)
         motions.hold(0, point);
       if (!motions.holds_all())
@@ -48,8 +49,8 @@ PieceMotions<dim>::all_held() const
 
 
 template <int dim>
-std::vector<LooseGroup<dim>>
-PieceMotions<dim>::find_loose(const std::vector<PieceLink<dim>> &links) const
+std::vector<FloatingGroup<dim>>
+PieceMotions<dim>::find_floating(const std::vector<PieceLink<dim>> &links) const
 {
   std::map<unsigned int, std::vector<const PieceLink<dim> *>> links_of_piece;
   for (const auto &link : links)
@@ -57,7 +58,7 @@ PieceMotions<dim>::find_loose(const std::vector<PieceLink<dim>> &links) const
       if (unheld.count(piece) > 0)
         links_of_piece[piece].push_back(&link);
 
-  std::vector<LooseGroup<dim>> groups;
+  std::vector<FloatingGroup<dim>> groups;
   std::set<unsigned int> seen;
   for (const auto &[first, piece] : unheld)
     {
@@ -84,21 +85,21 @@ PieceMotions<dim>::find_loose(const std::vector<PieceLink<dim>> &links) const
 
 
 template <int dim>
-LooseGroup<dim>
+FloatingGroup<dim>
 PieceMotions<dim>::make_group(
   const std::vector<unsigned int> &numbers,
   const std::vector<const PieceLink<dim> *> &links) const
 {
   std::map<unsigned int, unsigned int> body_of_piece;
-  std::vector<typename HeldMotions<dim>::Frame> frames;
+  std::vector<typename RigidBodyConstraints<dim>::Frame> frames;
   std::vector<std::vector<Point<dim>>> candidates;
   for (const unsigned int number : numbers)
     {
       body_of_piece[number] = frames.size();
       candidates.push_back(unheld.at(number).positions);
-      frames.push_back(HeldMotions<dim>::frame_of(candidates.back()));
+      frames.push_back(RigidBodyConstraints<dim>::frame_of(candidates.back()));
     }
-  HeldMotions<dim> motions(frames);
+  RigidBodyConstraints<dim> motions(frames);
   for (const unsigned int number : numbers)
     for (const auto &point : unheld.at(number).supports)
       motions.hold(body_of_piece[number], point);
@@ -120,7 +121,7 @@ PieceMotions<dim>::make_group(
       motions.hold(form);
     }
 
-  LooseGroup<dim> group{numbers, motions, {}};
+  FloatingGroup<dim> group{numbers, motions, {}};
   if (motions.holds_all())
     return group;
   const auto hold = motions.hold_all(candidates);
@@ -140,10 +141,10 @@ template <int dim>
 void
 check_loads_on_loose_group(const ElasticModel<dim> &model,
                            const std::vector<unsigned int> &pieces,
-                           const LooseGroup<dim> &group)
+                           const FloatingGroup<dim> &group)
 {
   const auto &discretization = model.discretization;
-  const auto &sites          = discretization.sites();
+  const auto &dof_locations  = discretization.dof_locations();
   std::map<types::global_dof_index, unsigned int> body_of_unknown;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -163,7 +164,8 @@ check_loads_on_loose_group(const ElasticModel<dim> &model,
   double magnitude = 0;
   for (const auto &[index, body] : body_of_unknown)
     {
-      const auto &site = sites[discretization.owned.index_within_set(index)];
+      const auto &site =
+        dof_locations[discretization.owned.index_within_set(index)];
       Tensor<1, dim> force;
       force[site.component] = model.loads(index);
       group.held.add_displacement(body, site.position, force, work);
@@ -171,7 +173,7 @@ check_loads_on_loose_group(const ElasticModel<dim> &model,
     }
   Utilities::MPI::sum(work, discretization.communicator, work);
   magnitude = Utilities::MPI::sum(magnitude, discretization.communicator);
-  const double free = group.held.unheld_part(work).l2_norm();
+  const double free = group.held.unconstrained_part(work).l2_norm();
   if (free > 1e-9 * magnitude)
     {
       std::ostringstream message;
@@ -193,9 +195,9 @@ template class PieceMotions<3>;
 template void
 check_loads_on_loose_group(const ElasticModel<2> &,
                            const std::vector<unsigned int> &,
-                           const LooseGroup<2> &);
+                           const FloatingGroup<2> &);
 template void
 check_loads_on_loose_group(const ElasticModel<3> &,
                            const std::vector<unsigned int> &,
-                           const LooseGroup<3> &);
+                           const FloatingGroup<3> &);
 } // namespace Setsudan

@@ -188,7 +188,7 @@ find_extremes(ElasticModel<dim> &model, const LA::Vector &displacement)
                          model.materials,
                          discretization.with_ghosts(displacement));
   const bool serendipity = discretization.type == ElementType::serendipity;
-  auto u                 = model.batches().imported(displacement);
+  auto u                 = model.batches().copy_in(displacement);
   u.update_ghost_values();
   DeformationExtremes extremes;
   visit_gradients<dim>(model, u, [&](const GradientsOfBatch &gradients) {

@@ -180,7 +180,7 @@ show_quadratic_cells(ElasticModel<dim> &model,
     dilatation = std::make_unique<Dilatation<dim>>(discretization);
   const auto functions = functions_on_grid(discretization.fe.base_element(0));
   const auto numbers   = numbers_of_own(discretization);
-  auto u               = batches.imported(displacement);
+  auto u               = batches.copy_in(displacement);
   u.update_ghost_values();
   const double *const positions = batches.positions().begin();
   visit_gradients<dim>(model, u, [&](const GradientsOfBatch &batch) {

@@ -1,5 +1,5 @@
 #include <setsudan/body/gmsh/gmsh_session.h>
-#include <setsudan/mesh/gmsh_order.h>
+#include <setsudan/mesh/node_order.h>
 #include <setsudan/output/pieces/element_order.h>
 #include <setsudan/output/pieces/piece_mesh.h>
 

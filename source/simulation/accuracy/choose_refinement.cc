@@ -1,6 +1,6 @@
 #include <setsudan/cut/surface/near_cut.h>
 #include <setsudan/simulation/accuracy/choose_refinement.h>
-#include <setsudan/simulation/accuracy/trial.h>
+#include <setsudan/simulation/accuracy/refinement_trial.h>
 
 #include <sstream>
 
@@ -43,7 +43,8 @@ choose_refinement(const Scene<dim> &scene,
   std::vector<TrialRecord> records;
   for (unsigned int n_trials = 1;; ++n_trials)
     {
-      const Trial<dim> trial(scene, refinement, records, communicator);
+      const RefinementTrial<dim> trial(
+        scene, refinement, records, communicator);
       records.push_back(trial.record());
       const std::string choice = describe_choice(
         accuracy, trial.relative_error(), trial.n_cells(), n_trials);

@@ -11,12 +11,12 @@ dlauum_(const char *uplo, const int *n, double *a, const int *lda, int *info);
 namespace Setsudan
 {
 SchurComplement::Block
-SchurComplement::square(const std::vector<unsigned int> &members,
+SchurComplement::square(const std::vector<unsigned int> &dofs,
                         std::vector<double> &&lower,
                         const double shift)
 {
-  Block block{members, std::move(lower)};
-  const int m = members.size();
+  Block block{dofs, std::move(lower)};
+  const int m = dofs.size();
   auto &s     = block.values;
   // From behind, L is an upper triangle.
   std::reverse(s.begin(), s.end());
@@ -39,14 +39,14 @@ SchurComplement::SchurComplement(std::vector<Block> &&all_blocks)
 {
   std::size_t n = 0;
   for (const auto &block : blocks)
-    n += block.members.size();
+    n += block.dofs.size();
   block_of.resize(n);
   place_in_block.resize(n);
   for (unsigned int b = 0; b < blocks.size(); ++b)
-    for (unsigned int i = 0; i < blocks[b].members.size(); ++i)
+    for (unsigned int i = 0; i < blocks[b].dofs.size(); ++i)
       {
-        block_of[blocks[b].members[i]]       = b;
-        place_in_block[blocks[b].members[i]] = i;
+        block_of[blocks[b].dofs[i]]       = b;
+        place_in_block[blocks[b].dofs[i]] = i;
       }
 }
 
@@ -58,7 +58,7 @@ SchurComplement::operator()(const unsigned int i, const unsigned int j) const
   if (block_of[i] != block_of[j])
     return 0;
   const Block &block = blocks[block_of[i]];
-  return block.values[std::size_t(place_in_block[j]) * block.members.size() +
+  return block.values[std::size_t(place_in_block[j]) * block.dofs.size() +
                       place_in_block[i]];
 }
 
@@ -71,10 +71,10 @@ SchurComplement::multiply(const std::vector<double> &x) const
   std::vector<double> product(x.size()), of_product;
   for (const auto &block : blocks)
     {
-      const int m = block.members.size();
+      const int m = block.dofs.size();
       of_product.assign(m, 0.);
       for (int j = 0; j < m; ++j)
-        if (const double factor = x[block.members[j]]; factor != 0)
+        if (const double factor = x[block.dofs[j]]; factor != 0)
           blas.AXPY(m,
                     factor,
                     block.values.data() + std::size_t(j) * m,
@@ -82,7 +82,7 @@ SchurComplement::multiply(const std::vector<double> &x) const
                     of_product.data(),
                     1);
       for (int i = 0; i < m; ++i)
-        product[block.members[i]] = of_product[i];
+        product[block.dofs[i]] = of_product[i];
     }
   return product;
 }

@@ -208,7 +208,7 @@ solve_upper(const Supernode &node,
 
 
 void
-CholeskyFactor::eliminate(std::vector<double> &x) const
+CholeskyFactor::forward_eliminate(std::vector<double> &x) const
 {
   const cholmod_factor &factor = *workspace->factor;
   const int end                = order.size() - n_at_end;
@@ -237,7 +237,7 @@ CholeskyFactor::recover_supernode(const unsigned int number,
 
 
 void
-CholeskyFactor::recover(std::vector<double> &x) const
+CholeskyFactor::back_substitute(std::vector<double> &x) const
 {
   std::vector<double> below(order.size());
   for (unsigned int s = workspace->factor->nsuper; s-- > 0;)
@@ -280,7 +280,8 @@ CholeskyFactor::steps_for(const std::vector<unsigned int> &wanted) const
 
 
 void
-CholeskyFactor::recover(std::vector<double> &x, const Steps &steps) const
+CholeskyFactor::back_substitute(std::vector<double> &x,
+                                const Steps &steps) const
 {
   std::vector<double> below(order.size());
   for (const unsigned int s : steps)

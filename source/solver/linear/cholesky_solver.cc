@@ -16,8 +16,8 @@ void
 CholeskySolver::solve(LA::Vector &x, const LA::Vector &b)
 {
   std::vector<double> ordered = factor->in_order(b);
-  factor->eliminate(ordered);
-  factor->recover(ordered);
+  factor->forward_eliminate(ordered);
+  factor->back_substitute(ordered);
   factor->from_order(ordered, x);
 }
 

@@ -12,7 +12,7 @@ template <int dim>
 CoarseCorrection<dim>::CoarseCorrection(
   ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
-  const ConstraintLines &lines)
+  const LocalConstraints &lines)
   : space(model, constraints, lines)
   , stiffness(space.stiffness().matrix())
   , coarse_forces(space.partitioner())
@@ -25,8 +25,8 @@ CoarseCorrection<dim>::CoarseCorrection(
 
 template <int dim>
 bool
-CoarseCorrection<dim>::obeys(const ConstraintLines &others,
-                             const CellBatches<dim> &batches) const
+CoarseCorrection<dim>::is_compatible_with(const LocalConstraints &others,
+                                          const CellBatches<dim> &batches) const
 {
   const auto [begin, end] = space.partitioner()->local_range();
   for (auto number = begin; number < end; ++number)
@@ -52,7 +52,7 @@ template <int dim>
 void
 CoarseCorrection<dim>::add(Vector &displacement,
                            const Vector &forces,
-                           const ConstraintLines &now) const
+                           const LocalConstraints &now) const
 {
   space.restrict_forces(coarse_forces, forces);
   solver.vmult(correction, coarse_forces);

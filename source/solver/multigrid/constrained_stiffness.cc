@@ -11,7 +11,7 @@ template <int dim>
 ConstrainedStiffness<dim>::ConstrainedStiffness(
   const Discretization<dim> &discretization,
   const CellBatches<dim> &batches,
-  const ConstraintLines &lines)
+  const LocalConstraints &lines)
   : batches(batches)
   , lines(lines)
   , discretization(discretization)
@@ -76,7 +76,7 @@ ConstrainedStiffness<dim>::diagonal(Vector &result) const
   for (unsigned int b = 0; b < batches.size(); ++b)
     {
       const CellBatch batch = batches[b];
-      if (b == 0 || !batches.is_like_last(b))
+      if (b == 0 || !batches.same_as_previous(b))
         kernel.integrate(
           batch, gradients.data(), n_nodes, true, of_batch.data());
       for (unsigned int node = 0; node < n_nodes; ++node)

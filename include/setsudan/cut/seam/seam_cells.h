@@ -17,7 +17,7 @@ public:
   using Cell = typename Discretization<dim>::Cell;
 
   /** A cell, some of its nodes, and the pair of each. */
-  struct Meeting
+  struct AdjacentCell
   {
     Cell cell;
     std::vector<unsigned int> nodes;
@@ -28,7 +28,7 @@ public:
   SeamCells(const ElasticModel<dim> &model, const Seam<dim> &seam);
 
   /** The cells that meet the front of a row, in the order of the mesh. */
-  std::vector<Meeting>
+  std::vector<AdjacentCell>
   at_front(const Row &row) const;
 
   const NodeStresses<dim> stresses;

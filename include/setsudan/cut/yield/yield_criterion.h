@@ -59,7 +59,7 @@ superpose(const FrontStresses &base,
           const double factor);
 
 /** The load factor at which a row yields. */
-struct YieldLoad
+struct YieldFactor
 {
   /** The factor, or the largest allowed one where the row does not yield. */
   double load_factor;
@@ -74,7 +74,7 @@ struct YieldLoad
  * convex in the factor, so that there is at most one such point beyond 0, and a
  * bracketing root finder cannot miss it.
  */
-YieldLoad
+YieldFactor
 find_yield_load(const std::function<CuttingStress(double)> &stress_at,
                 const double max_load_factor);
 } // namespace Setsudan

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/mechanics/pieces/loose_pieces.h>
+#include <setsudan/mechanics/pieces/floating_pieces.h>
 
 #include <array>
 #include <map>
@@ -19,14 +19,14 @@ struct PieceLink
 
 /** Linked pieces of which supports and links do not stop all rigid motions. */
 template <int dim>
-struct LooseGroup
+struct FloatingGroup
 {
   /** All pieces of the group; its bodies are in this order. */
   std::vector<unsigned int> pieces;
   /** By supports and links, without what would hold the rest. */
-  HeldMotions<dim> held;
+  RigidBodyConstraints<dim> held;
   /** Those of the pieces that can move. */
-  std::vector<LoosePiece> loose;
+  std::vector<FloatingPiece> loose;
 };
 
 /**
@@ -48,8 +48,8 @@ public:
   bool
   all_held() const;
 
-  std::vector<LooseGroup<dim>>
-  find_loose(const std::vector<PieceLink<dim>> &links) const;
+  std::vector<FloatingGroup<dim>>
+  find_floating(const std::vector<PieceLink<dim>> &links) const;
 
 private:
   struct Piece
@@ -59,7 +59,7 @@ private:
     std::vector<HeldPoint<dim>> supports;
   };
 
-  LooseGroup<dim>
+  FloatingGroup<dim>
   make_group(const std::vector<unsigned int> &numbers,
              const std::vector<const PieceLink<dim> *> &links) const;
 
@@ -77,5 +77,5 @@ template <int dim>
 void
 check_loads_on_loose_group(const ElasticModel<dim> &model,
                            const std::vector<unsigned int> &pieces,
-                           const LooseGroup<dim> &group);
+                           const FloatingGroup<dim> &group);
 } // namespace Setsudan

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/mesh/gmsh_order.h>
+#include <setsudan/mesh/node_order.h>
 #include <setsudan/output/pieces/piece_mesh.h>
 
 #include <vector>

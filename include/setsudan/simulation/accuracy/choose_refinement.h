@@ -8,9 +8,9 @@ namespace Setsudan
 {
 /**
  * How the scene's body is to be refined: as the scene says, and further until
- * the estimated error of its trial meets Accuracy/Target (see Trial). Cells are
- * marked that hold half of the error (Dörfler 1996, SIAM Journal on Numerical
- * Analysis 33, 1106-1124).
+ * the estimated error of its trial meets Accuracy/Target (see RefinementTrial).
+ * Cells are marked that hold half of the error (Dörfler 1996, SIAM Journal on
+ * Numerical Analysis 33, 1106-1124).
  *
  * It says what was chosen, or what was reached where the target was not.
  */

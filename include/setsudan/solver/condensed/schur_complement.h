@@ -15,7 +15,7 @@ public:
   /** Some unknowns, ascending, and what they are to each other, by columns. */
   struct Block
   {
-    std::vector<unsigned int> members;
+    std::vector<unsigned int> dofs;
     std::vector<double> values;
   };
 
@@ -25,7 +25,7 @@ public:
    * @param lower L by columns, 0 above the diagonal.
    */
   static Block
-  square(const std::vector<unsigned int> &members,
+  square(const std::vector<unsigned int> &dofs,
          std::vector<double> &&lower,
          const double shift);
 

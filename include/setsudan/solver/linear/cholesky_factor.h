@@ -53,14 +53,14 @@ public:
   /** Eliminate all but the last unknowns: of a right-hand side b in the order
    * of elimination make L^-1 b, and at its end what is left for the last. */
   void
-  eliminate(std::vector<double> &x) const;
+  forward_eliminate(std::vector<double> &x) const;
 
-  /** Of what eliminate() has made, with the last unknowns' values put at its
-   * end, make the values of all. */
+  /** Of what forward_eliminate() has made, with the last unknowns' values put
+   * at its end, make the values of all. */
   void
-  recover(std::vector<double> &x) const;
+  back_substitute(std::vector<double> &x) const;
 
-  /** The steps of recover() that some unknowns need. */
+  /** The steps of back_substitute() that some unknowns need. */
   using Steps = std::vector<unsigned int>;
 
   /** @param wanted unknowns, of which those of other parts are ignored. */
@@ -69,7 +69,7 @@ public:
 
   /** Recover some unknowns; others get no values of use. */
   void
-  recover(std::vector<double> &x, const Steps &steps) const;
+  back_substitute(std::vector<double> &x, const Steps &steps) const;
 
   /** L of the last unknowns, n_last x n_last by columns, 0 above the
    * diagonal. */
@@ -79,7 +79,7 @@ public:
 private:
   struct Workspace;
 
-  /** Take a step of recover(). */
+  /** Take a step of back_substitute(). */
   void
   recover_supernode(const unsigned int number,
                     std::vector<double> &x,

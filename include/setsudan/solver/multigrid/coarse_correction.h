@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/solver/linear/algebraic_multigrid.h>
-#include <setsudan/solver/multigrid/vertex_space.h>
+#include <setsudan/solver/multigrid/q1_coarse_space.h>
 
 #include <memory>
 
@@ -24,21 +24,22 @@ public:
   /** @param lines the constraints for the model's batches. */
   CoarseCorrection(ElasticModel<dim> &model,
                    const dealii::AffineConstraints<double> &constraints,
-                   const ConstraintLines &lines);
+                   const LocalConstraints &lines);
 
   /** Whether the displacements of this space obey other constraints: whether
    * one of them does that has no symmetry. */
   bool
-  obeys(const ConstraintLines &others, const CellBatches<dim> &batches) const;
+  is_compatible_with(const LocalConstraints &others,
+                     const CellBatches<dim> &batches) const;
 
   /** Add the displacement under forces to one that is constrained by `now`. */
   void
   add(Vector &displacement,
       const Vector &forces,
-      const ConstraintLines &now) const;
+      const LocalConstraints &now) const;
 
 private:
-  const VertexSpace<dim> space;
+  const Q1CoarseSpace<dim> space;
   const std::unique_ptr<const Epetra_CrsMatrix> stiffness;
   AlgebraicMultigrid solver;
   mutable Vector coarse_forces, correction;

@@ -3,7 +3,7 @@
 #include <deal.II/base/subscriptor.h>
 
 #include <setsudan/mechanics/cell_batches.h>
-#include <setsudan/solver/multigrid/constraint_lines.h>
+#include <setsudan/solver/multigrid/local_constraints.h>
 
 namespace Setsudan
 {
@@ -18,7 +18,7 @@ public:
   /** Both must live as long, and the batches must keep their partitioner. */
   ConstrainedStiffness(const Discretization<dim> &discretization,
                        const CellBatches<dim> &batches,
-                       const ConstraintLines &lines);
+                       const LocalConstraints &lines);
 
   void
   vmult(Vector &result, const Vector &vector) const;
@@ -39,7 +39,7 @@ public:
   diagonal(Vector &result) const;
 
   const CellBatches<dim> &batches;
-  const ConstraintLines &lines;
+  const LocalConstraints &lines;
 
 private:
   const Discretization<dim> &discretization;

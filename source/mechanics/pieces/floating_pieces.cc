@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <setsudan/mechanics/pieces/loose_pieces.h>
+#include <setsudan/mechanics/pieces/floating_pieces.h>
 
 #include <set>
 
@@ -15,7 +15,7 @@ template <int dim, typename Action>
 void
 for_each_cell(const Discretization<dim> &discretization,
               const std::vector<unsigned int> &pieces,
-              const LoosePiece &loose,
+              const FloatingPiece &loose,
               const Action &action)
 {
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
@@ -31,7 +31,7 @@ std::vector<types::global_dof_index>
 unknowns_of_hold(const Discretization<dim> &discretization,
                  const CoarseMesh<dim> &mesh,
                  const std::vector<unsigned int> &pieces,
-                 const std::vector<LoosePiece> &loose)
+                 const std::vector<FloatingPiece> &loose)
 {
   std::vector<types::global_dof_index> own;
   for (const auto &piece : loose)
@@ -58,7 +58,7 @@ template <int dim>
 void
 constrain_dropped_piece(const Discretization<dim> &discretization,
                         const std::vector<unsigned int> &pieces,
-                        const LoosePiece &loose,
+                        const FloatingPiece &loose,
                         AffineConstraints<double> &constraints)
 {
   for_each_cell<dim>(discretization, pieces, loose, [&](const auto &cell) {
@@ -74,7 +74,7 @@ constrain_dropped_piece(const Discretization<dim> &discretization,
 template <int dim>
 void
 remove_loads_from_piece(const std::vector<unsigned int> &pieces,
-                        const LoosePiece &loose,
+                        const FloatingPiece &loose,
                         ElasticModel<dim> &model)
 {
   for_each_cell<dim>(
@@ -97,28 +97,28 @@ template std::vector<types::global_dof_index>
 unknowns_of_hold(const Discretization<2> &,
                  const CoarseMesh<2> &,
                  const std::vector<unsigned int> &,
-                 const std::vector<LoosePiece> &);
+                 const std::vector<FloatingPiece> &);
 template void
 constrain_dropped_piece(const Discretization<2> &,
                         const std::vector<unsigned int> &,
-                        const LoosePiece &,
+                        const FloatingPiece &,
                         AffineConstraints<double> &);
 template void
 remove_loads_from_piece(const std::vector<unsigned int> &,
-                        const LoosePiece &,
+                        const FloatingPiece &,
                         ElasticModel<2> &);
 template std::vector<types::global_dof_index>
 unknowns_of_hold(const Discretization<3> &,
                  const CoarseMesh<3> &,
                  const std::vector<unsigned int> &,
-                 const std::vector<LoosePiece> &);
+                 const std::vector<FloatingPiece> &);
 template void
 constrain_dropped_piece(const Discretization<3> &,
                         const std::vector<unsigned int> &,
-                        const LoosePiece &,
+                        const FloatingPiece &,
                         AffineConstraints<double> &);
 template void
 remove_loads_from_piece(const std::vector<unsigned int> &,
-                        const LoosePiece &,
+                        const FloatingPiece &,
                         ElasticModel<3> &);
 } // namespace Setsudan

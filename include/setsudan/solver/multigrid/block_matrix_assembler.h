@@ -14,16 +14,16 @@ namespace Setsudan
 /** A sparse matrix of dim x dim blocks, one for each pair of neighboring nodes,
  * as it is assembled. */
 template <int dim>
-class NodeBlocks
+class BlockMatrixAssembler
 {
 public:
   using Index = dealii::types::global_dof_index;
 
   /** @param first   the first node of this process.
    * @param n_owned how many it has. */
-  NodeBlocks(const Index first,
-             const Index n_owned,
-             const MPI_Comm communicator);
+  BlockMatrixAssembler(const Index first,
+                       const Index n_owned,
+                       const MPI_Comm communicator);
 
   /** Where a block is kept, all 0 if it is new; until the next call. By rows.
    */

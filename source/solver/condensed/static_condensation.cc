@@ -1,5 +1,5 @@
-#include <setsudan/solver/condensed/condensation.h>
-#include <setsudan/solver/condensed/uncoupled_parts.h>
+#include <setsudan/solver/condensed/connected_components.h>
+#include <setsudan/solver/condensed/static_condensation.h>
 
 #include <algorithm>
 #include <iterator>
@@ -45,7 +45,7 @@ for_each_part(const unsigned int n_parts,
 {
   // One part alone leaves all cores to the BLAS.
   if (at_once && n_parts > 1)
-    side_by_side(n_parts, work);
+    parallel_for(n_parts, work);
   else
     for (unsigned int part = 0; part < n_parts; ++part)
       work(part);
@@ -53,14 +53,14 @@ for_each_part(const unsigned int n_parts,
 } // namespace
 
 
-Condensation::Condensation(const LA::SparseMatrix &matrix,
-                           const std::vector<unsigned int> &cut)
+StaticCondensation::StaticCondensation(const LA::SparseMatrix &matrix,
+                                       const std::vector<unsigned int> &cut)
   : cut(cut)
 {
   // Below this a thread takes longer to begin than to work.
   constexpr double many_entries = 2e6;
   const double shift            = shift_of(matrix, cut);
-  const auto unknowns           = uncoupled_parts(matrix);
+  const auto unknowns           = connected_components(matrix);
   parts.resize(unknowns.size());
   std::vector<SchurComplement::Block> blocks(parts.size());
   for_each_part(parts.size(), are_alike(unknowns), [&](const unsigned int p) {
@@ -76,10 +76,10 @@ Condensation::Condensation(const LA::SparseMatrix &matrix,
 
 
 SchurComplement::Block
-Condensation::factorize(const LA::SparseMatrix &matrix,
-                        const std::vector<unsigned int> &unknowns,
-                        const double shift,
-                        Part &part) const
+StaticCondensation::factorize(const LA::SparseMatrix &matrix,
+                              const std::vector<unsigned int> &unknowns,
+                              const double shift,
+                              Part &part) const
 {
   std::vector<unsigned int> first, last;
   std::set_difference(unknowns.begin(),
@@ -102,15 +102,15 @@ Condensation::factorize(const LA::SparseMatrix &matrix,
 
 
 const SchurComplement &
-Condensation::stiffness() const
+StaticCondensation::stiffness() const
 {
   return *complement;
 }
 
 
 
-Condensation::Eliminated
-Condensation::eliminate(const LA::Vector &loads) const
+StaticCondensation::Eliminated
+StaticCondensation::forward_eliminate(const LA::Vector &loads) const
 {
   Eliminated result;
   result.of_parts.resize(parts.size());
@@ -118,7 +118,7 @@ Condensation::eliminate(const LA::Vector &loads) const
   for_each_part(parts.size(), is_large, [&](const unsigned int p) {
     auto &ordered = result.of_parts[p];
     ordered       = parts[p].factor->in_order(loads);
-    parts[p].factor->eliminate(ordered);
+    parts[p].factor->forward_eliminate(ordered);
     const auto on_cut = ordered.end() - parts[p].of_cut.size();
     for (unsigned int i = 0; i < parts[p].of_cut.size(); ++i)
       result.on_cut[parts[p].of_cut[i]] = on_cut[i];
@@ -128,8 +128,8 @@ Condensation::eliminate(const LA::Vector &loads) const
 
 
 
-Condensation::Steps
-Condensation::steps_for(const std::vector<unsigned int> &unknowns) const
+StaticCondensation::Steps
+StaticCondensation::steps_for(const std::vector<unsigned int> &unknowns) const
 {
   Steps steps;
   for (const auto &part : parts)
@@ -140,10 +140,10 @@ Condensation::steps_for(const std::vector<unsigned int> &unknowns) const
 
 
 void
-Condensation::recover(Eliminated loads,
-                      const std::vector<double> &of_cut,
-                      LA::Vector &x,
-                      const Steps *steps) const
+StaticCondensation::back_substitute(Eliminated loads,
+                                    const std::vector<double> &of_cut,
+                                    LA::Vector &x,
+                                    const Steps *steps) const
 {
   for_each_part(parts.size(), is_large, [&](const unsigned int p) {
     auto &ordered    = loads.of_parts[p];
@@ -152,9 +152,9 @@ Condensation::recover(Eliminated loads,
     for (unsigned int i = 0; i < part.of_cut.size(); ++i)
       last[i] = of_cut[part.of_cut[i]];
     if (steps)
-      part.factor->recover(ordered, (*steps)[p]);
+      part.factor->back_substitute(ordered, (*steps)[p]);
     else
-      part.factor->recover(ordered);
+      part.factor->back_substitute(ordered);
     part.factor->from_order(ordered, x);
   });
 }

@@ -1,7 +1,7 @@
 #include <deal.II/distributed/grid_refinement.h>
 
 #include <setsudan/cut/surface/near_cut.h>
-#include <setsudan/simulation/accuracy/trial.h>
+#include <setsudan/simulation/accuracy/refinement_trial.h>
 #include <setsudan/simulation/row_state.h>
 
 #include <algorithm>
@@ -20,10 +20,10 @@ constexpr double slowest_convergence = 0.7;
 
 
 template <int dim>
-Trial<dim>::Trial(const Scene<dim> &scene,
-                  const Refinement &refinement,
-                  const std::vector<TrialRecord> &earlier,
-                  const MPI_Comm communicator)
+RefinementTrial<dim>::RefinementTrial(const Scene<dim> &scene,
+                                      const Refinement &refinement,
+                                      const std::vector<TrialRecord> &earlier,
+                                      const MPI_Comm communicator)
   : scene(scene)
   , earlier(earlier)
   , body(scene, refinement, communicator)
@@ -54,7 +54,7 @@ Trial<dim>::Trial(const Scene<dim> &scene,
 
 template <int dim>
 unsigned int
-Trial<dim>::middle_row() const
+RefinementTrial<dim>::middle_row() const
 {
   const auto &rows = body.seam().rows();
   if (earlier.empty())
@@ -74,7 +74,7 @@ Trial<dim>::middle_row() const
 
 template <int dim>
 bool
-Trial<dim>::open_up_to(const unsigned int row)
+RefinementTrial<dim>::open_up_to(const unsigned int row)
 {
   body.open();
   try
@@ -95,7 +95,7 @@ Trial<dim>::open_up_to(const unsigned int row)
 
 template <int dim>
 void
-Trial<dim>::add_state(const std::optional<unsigned int> &row)
+RefinementTrial<dim>::add_state(const std::optional<unsigned int> &row)
 {
   State<dim> state =
     solve_state(scene,
@@ -122,7 +122,7 @@ Trial<dim>::add_state(const std::optional<unsigned int> &row)
 
 template <int dim>
 double
-Trial<dim>::error_of_last(const double estimate) const
+RefinementTrial<dim>::error_of_last(const double estimate) const
 {
   const unsigned int n = earlier.size();
   const unsigned int s = of_this.values.size() - 1;
@@ -142,8 +142,8 @@ Trial<dim>::error_of_last(const double estimate) const
 
 template <int dim>
 void
-Trial<dim>::mark(const StateError &error,
-                 const std::optional<unsigned int> &row)
+RefinementTrial<dim>::mark(const StateError &error,
+                           const std::optional<unsigned int> &row)
 {
   auto &triangulation             = body.model->discretization.triangulation;
   dealii::Vector<double> of_cells = error.energy.squares;
@@ -163,7 +163,7 @@ Trial<dim>::mark(const StateError &error,
 
 template <int dim>
 dealii::Vector<double>
-Trial<dim>::weights(const std::optional<unsigned int> &row) const
+RefinementTrial<dim>::weights(const std::optional<unsigned int> &row) const
 {
   const auto &triangulation = body.model->discretization.triangulation;
   dealii::Vector<double> result(triangulation.n_active_cells());
@@ -192,7 +192,7 @@ Trial<dim>::weights(const std::optional<unsigned int> &row) const
 
 template <int dim>
 double
-Trial<dim>::relative_error() const
+RefinementTrial<dim>::relative_error() const
 {
   return worst_error;
 }
@@ -201,7 +201,7 @@ Trial<dim>::relative_error() const
 
 template <int dim>
 unsigned int
-Trial<dim>::n_cells() const
+RefinementTrial<dim>::n_cells() const
 {
   return body.model->discretization.triangulation.n_global_active_cells();
 }
@@ -210,7 +210,7 @@ Trial<dim>::n_cells() const
 
 template <int dim>
 const TrialRecord &
-Trial<dim>::record() const
+RefinementTrial<dim>::record() const
 {
   return of_this;
 }
@@ -219,13 +219,13 @@ Trial<dim>::record() const
 
 template <int dim>
 const std::vector<CellPath> &
-Trial<dim>::marked() const
+RefinementTrial<dim>::marked() const
 {
   return cells;
 }
 
 
 
-template class Trial<2>;
-template class Trial<3>;
+template class RefinementTrial<2>;
+template class RefinementTrial<3>;
 } // namespace Setsudan

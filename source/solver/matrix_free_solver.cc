@@ -1,8 +1,8 @@
 #include <deal.II/lac/solver_cg.h>
 
 #include <setsudan/solver/linear/linear_solver.h>
+#include <setsudan/solver/matrix_free_solver.h>
 #include <setsudan/solver/multigrid/p_multigrid.h>
-#include <setsudan/solver/multigrid_equilibrium.h>
 
 #include <algorithm>
 #include <limits>
@@ -21,22 +21,22 @@ constexpr unsigned int most_iterations = 500;
 
 
 template <int dim>
-MultigridEquilibrium<dim>::MultigridEquilibrium(
+MatrixFreeSolver<dim>::MatrixFreeSolver(
   ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters,
-  const MultigridEquilibrium<dim> *last)
+  const MatrixFreeSolver<dim> *last)
   : ConstrainedEquilibrium<dim>(model, constraints, parameters)
   , max_iterations(std::min(parameters.max_iterations, most_iterations))
   , tolerance(parameters.tolerance)
 {
-  model.batches().know(constraints.get_local_lines());
+  model.batches().add_ghost_indices(constraints.get_local_lines());
   const auto &batches = model.batches();
-  lines               = std::make_unique<const ConstraintLines>(constraints,
-                                                  *batches.partitioner());
+  lines               = std::make_unique<const LocalConstraints>(constraints,
+                                                   *batches.partitioner());
   stiffness           = std::make_unique<const ConstrainedStiffness<dim>>(
     model.discretization, batches, *lines);
-  if (last != nullptr && last->coarse->obeys(*lines, batches))
+  if (last != nullptr && last->coarse->is_compatible_with(*lines, batches))
     coarse = last->coarse;
   else
     coarse =
@@ -47,19 +47,19 @@ MultigridEquilibrium<dim>::MultigridEquilibrium(
 
 
 template <int dim>
-MultigridEquilibrium<dim>::~MultigridEquilibrium() = default;
+MatrixFreeSolver<dim>::~MatrixFreeSolver() = default;
 
 
 template <int dim>
 LA::Vector
-MultigridEquilibrium<dim>::solve_condensed(const LA::Vector &loads,
-                                           const LA::Vector &guess)
+MatrixFreeSolver<dim>::solve_condensed(const LA::Vector &loads,
+                                       const LA::Vector &guess)
 {
   const double scale = loads.l2_norm();
   check_loads(scale);
   const auto &batches = stiffness->batches;
-  const Vector b      = batches.imported(loads);
-  Vector x            = batches.imported(guess);
+  const Vector b      = batches.copy_in(loads);
+  Vector x            = batches.copy_in(guess);
   Vector rest(b), correction(b);
   iterations = 0;
   if (scale > 0)
@@ -68,9 +68,9 @@ MultigridEquilibrium<dim>::solve_condensed(const LA::Vector &loads,
     x = rest = 0;
 
   multigrid->vmult(correction, rest);
-  const LA::Vector result = batches.exported(x);
+  const LA::Vector result = batches.copy_out(x);
   quality =
-    quality_of(result, batches.exported(correction), rest.l2_norm(), scale);
+    quality_of(result, batches.copy_out(correction), rest.l2_norm(), scale);
   if (!(quality.residual <= accepted))
     fail();
   return result;
@@ -80,7 +80,7 @@ MultigridEquilibrium<dim>::solve_condensed(const LA::Vector &loads,
 
 template <int dim>
 void
-MultigridEquilibrium<dim>::iterate(Vector &x, const Vector &b, Vector &rest)
+MatrixFreeSolver<dim>::iterate(Vector &x, const Vector &b, Vector &rest)
 {
   // Where cells are slender, many iterations take for solved what is not.
   const double scale = b.l2_norm();
@@ -110,7 +110,7 @@ MultigridEquilibrium<dim>::iterate(Vector &x, const Vector &b, Vector &rest)
 
 template <int dim>
 void
-MultigridEquilibrium<dim>::fail() const
+MatrixFreeSolver<dim>::fail() const
 {
   std::ostringstream message;
   message << "Conjugate gradients with multigrid left a relative residual of "
@@ -122,13 +122,13 @@ MultigridEquilibrium<dim>::fail() const
 
 template <int dim>
 unsigned int
-MultigridEquilibrium<dim>::n_iterations() const
+MatrixFreeSolver<dim>::n_iterations() const
 {
   return iterations;
 }
 
 
 
-template class MultigridEquilibrium<2>;
-template class MultigridEquilibrium<3>;
+template class MatrixFreeSolver<2>;
+template class MatrixFreeSolver<3>;
 } // namespace Setsudan

@@ -1,5 +1,5 @@
 #include <setsudan/kernel/blas.h>
-#include <setsudan/solver/condensed/uncoupled_parts.h>
+#include <setsudan/solver/condensed/connected_components.h>
 
 #include <Epetra_CrsMatrix.h>
 
@@ -10,7 +10,7 @@
 namespace Setsudan
 {
 std::vector<std::vector<unsigned int>>
-uncoupled_parts(const LA::SparseMatrix &matrix)
+connected_components(const LA::SparseMatrix &matrix)
 {
   const auto &rows = matrix.trilinos_matrix();
   std::vector<std::vector<unsigned int>> parts(1);
@@ -49,7 +49,7 @@ uncoupled_parts(const LA::SparseMatrix &matrix)
 
 
 void
-side_by_side(const unsigned int n_parts,
+parallel_for(const unsigned int n_parts,
              const std::function<void(unsigned int)> &work)
 {
   const unsigned int n_workers = std::min(n_parts, n_threads());

@@ -1,4 +1,4 @@
-#include <setsudan/solver/condensed/condensed_equilibrium.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/linear/linear_solver.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ are_equal(const LA::Vector &a, const LA::Vector &b)
 
 
 template <int dim>
-CondensedEquilibrium<dim>::CondensedEquilibrium(
+CondensedSolver<dim>::CondensedSolver(
   ElasticModel<dim> &model,
   std::shared_ptr<const Constraints> base_constraints,
   const IndexSet &cut_unknowns)
@@ -54,18 +54,18 @@ CondensedEquilibrium<dim>::CondensedEquilibrium(
   LA::SparseMatrix matrix;
   assemble_stiffness(model.discretization, model.stiffness, *base, matrix);
   largest_entry = matrix.linfty_norm();
-  condensation  = std::make_unique<Condensation>(matrix, cut);
-  reduced       = std::make_unique<ReducedCut>(cut, condensation->stiffness());
+  condensation  = std::make_unique<StaticCondensation>(matrix, cut);
+  reduced = std::make_unique<InterfaceSystem>(cut, condensation->stiffness());
 }
 
 
 
 template <int dim>
 bool
-CondensedEquilibrium<dim>::set_constraints(
+CondensedSolver<dim>::set_constraints(
   std::shared_ptr<const Constraints> new_step)
 {
-  if (!reduced->set_ties(*new_step))
+  if (!reduced->set_constraints(*new_step))
     return false;
   step = std::move(new_step);
   return true;
@@ -75,16 +75,16 @@ CondensedEquilibrium<dim>::set_constraints(
 
 template <int dim>
 bool
-CondensedEquilibrium<dim>::foresee(const Constraints &later)
+CondensedSolver<dim>::append_stage(const Constraints &later)
 {
-  return reduced->foresee(later);
+  return reduced->append_stage(later);
 }
 
 
 
 template <int dim>
 void
-CondensedEquilibrium<dim>::factorize_foreseen()
+CondensedSolver<dim>::factorize_foreseen()
 {
   reduced->factorize_foreseen();
 }
@@ -92,9 +92,8 @@ CondensedEquilibrium<dim>::factorize_foreseen()
 
 
 template <int dim>
-Condensation::Steps
-CondensedEquilibrium<dim>::steps_for(
-  const std::vector<unsigned int> &unknowns) const
+StaticCondensation::Steps
+CondensedSolver<dim>::steps_for(const std::vector<unsigned int> &unknowns) const
 {
   auto wanted = unknowns;
   for (const unsigned int unknown : unknowns)
@@ -108,7 +107,7 @@ CondensedEquilibrium<dim>::steps_for(
 
 template <int dim>
 double
-CondensedEquilibrium<dim>::memory(const unsigned int n)
+CondensedSolver<dim>::memory(const unsigned int n)
 {
   // Both sides of the cut at once, each for itself, and what grows.
   return 8. * n * n * (1 + 0.5 + 1);
@@ -117,12 +116,12 @@ CondensedEquilibrium<dim>::memory(const unsigned int n)
 
 
 template <int dim>
-Condensation::Eliminated
-CondensedEquilibrium<dim>::eliminate(const LA::Vector &loads,
-                                     const bool is_remembered)
+StaticCondensation::Eliminated
+CondensedSolver<dim>::forward_eliminate(const LA::Vector &loads,
+                                        const bool is_remembered)
 {
   if (!is_remembered)
-    return condensation->eliminate(loads);
+    return condensation->forward_eliminate(loads);
   // From row to row the loads differ on the cut alone.
   LA::Vector off_cut = loads;
   double *const here = off_cut.trilinos_vector()[0];
@@ -132,10 +131,10 @@ CondensedEquilibrium<dim>::eliminate(const LA::Vector &loads,
       !std::equal(
         here, here + off_cut.size(), remembered_loads.trilinos_vector()[0]))
     {
-      remembered       = condensation->eliminate(off_cut);
+      remembered       = condensation->forward_eliminate(off_cut);
       remembered_loads = off_cut;
     }
-  Condensation::Eliminated eliminated = remembered;
+  StaticCondensation::Eliminated eliminated = remembered;
   for (unsigned int i = 0; i < cut.size(); ++i)
     eliminated.on_cut[i] += entries(loads)[cut[i]];
   return eliminated;
@@ -145,12 +144,12 @@ CondensedEquilibrium<dim>::eliminate(const LA::Vector &loads,
 
 template <int dim>
 LA::Vector
-CondensedEquilibrium<dim>::solve_for(const LA::Vector &b,
-                                     const std::vector<double> &opening,
-                                     const bool is_remembered,
-                                     const Condensation::Steps *wanted)
+CondensedSolver<dim>::solve_for(const LA::Vector &b,
+                                const std::vector<double> &opening,
+                                const bool is_remembered,
+                                const StaticCondensation::Steps *wanted)
 {
-  auto eliminated = eliminate(b, is_remembered);
+  auto eliminated = forward_eliminate(b, is_remembered);
   if (!opening.empty())
     {
       const auto resistance = condensation->stiffness().multiply(opening);
@@ -163,7 +162,7 @@ CondensedEquilibrium<dim>::solve_for(const LA::Vector &b,
     for (unsigned int i = 0; i < cut.size(); ++i)
       of_cut[i] += opening[i];
   LA::Vector x = b;
-  condensation->recover(std::move(eliminated), of_cut, x, wanted);
+  condensation->back_substitute(std::move(eliminated), of_cut, x, wanted);
   distribute(*base, x);
   return x;
 }
@@ -172,7 +171,7 @@ CondensedEquilibrium<dim>::solve_for(const LA::Vector &b,
 
 template <int dim>
 std::vector<double>
-CondensedEquilibrium<dim>::take_opening(LA::Vector &prescribed) const
+CondensedSolver<dim>::take_opening(LA::Vector &prescribed) const
 {
   std::vector<double> opening(cut.size());
   for (unsigned int i = 0; i < cut.size(); ++i)
@@ -192,8 +191,8 @@ CondensedEquilibrium<dim>::take_opening(LA::Vector &prescribed) const
 
 template <int dim>
 LA::Vector
-CondensedEquilibrium<dim>::loads_beside(const LA::Vector &forces,
-                                        const LA::Vector &beyond_cut)
+CondensedSolver<dim>::loads_beside(const LA::Vector &forces,
+                                   const LA::Vector &beyond_cut)
 {
   if (!are_equal(beyond_cut, remembered_beyond))
     {
@@ -209,12 +208,12 @@ CondensedEquilibrium<dim>::loads_beside(const LA::Vector &forces,
 
 template <int dim>
 std::optional<LA::Vector>
-CondensedEquilibrium<dim>::solve_partly(const unsigned int step_number,
-                                        const LA::Vector &forces,
-                                        const LA::Vector &prescribed,
-                                        const Condensation::Steps &wanted)
+CondensedSolver<dim>::solve_partly(const unsigned int step_number,
+                                   const LA::Vector &forces,
+                                   const LA::Vector &prescribed,
+                                   const StaticCondensation::Steps &wanted)
 {
-  if (!reduced->go_to(step_number))
+  if (!reduced->activate_stage(step_number))
     return {};
   LA::Vector beyond_cut = prescribed;
   const auto opening    = take_opening(beyond_cut);
@@ -228,12 +227,12 @@ CondensedEquilibrium<dim>::solve_partly(const unsigned int step_number,
 
 template <int dim>
 LA::Vector
-CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
-                                 const LA::Vector &prescribed,
-                                 const LA::Vector &)
+CondensedSolver<dim>::solve(const LA::Vector &forces,
+                            const LA::Vector &prescribed,
+                            const LA::Vector &)
 {
-  Mending mending;
-  mending.rest_of = [&](const LA::Vector &displacement) {
+  Refined mending;
+  mending.residual_of = [&](const LA::Vector &displacement) {
     LA::Vector rest = forces;
     rest -= internal_forces(model, displacement);
     return rest;
@@ -248,15 +247,15 @@ CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
   const auto opening    = take_opening(beyond_cut);
   const auto loads      = loads_beside(forces, beyond_cut);
   const double scale =
-    mending.norm(opening.empty() ? loads : mending.rest_of(prescribed));
+    mending.norm(opening.empty() ? loads : mending.residual_of(prescribed));
   check_loads(scale);
   LA::Vector x = solve_for(condense(*base, loads), opening, true);
   x += beyond_cut;
   // Less than this is lost in the products of K x already.
   const double round_off =
     std::numeric_limits<double>::epsilon() * largest_entry * x.l2_norm();
-  const LA::Vector rest =
-    mend(x, std::max(scale * refined_above, round_off), mending);
+  const LA::Vector rest = iterative_refinement(
+    x, std::max(scale * refinement_threshold, round_off), mending);
   judge(x, rest, scale, mending);
   return x;
 }
@@ -265,10 +264,10 @@ CondensedEquilibrium<dim>::solve(const LA::Vector &forces,
 
 template <int dim>
 void
-CondensedEquilibrium<dim>::judge(const LA::Vector &x,
-                                 const LA::Vector &rest,
-                                 const double scale,
-                                 const Mending &mending)
+CondensedSolver<dim>::judge(const LA::Vector &x,
+                            const LA::Vector &rest,
+                            const double scale,
+                            const Refined &mending)
 {
   // As long as the body yields little more than when it was last looked at, a
   // residual stands for about as much displacement as then.
@@ -278,16 +277,17 @@ CondensedEquilibrium<dim>::judge(const LA::Vector &x,
   const double error     = mending.norm(rest);
   const double largest   = x.linfty_norm();
   quality.residual       = scale > 0 ? error / scale : 0;
-  quality.uncertainty    = largest > 0 ? error * per_residual / largest : 0;
+  quality.estimated_relative_error =
+    largest > 0 ? error * per_residual / largest : 0;
   if (error > 0 && (largest > much_more * scale * known_compliance ||
-                    !(quality.uncertainty <= small)))
+                    !(quality.estimated_relative_error <= small)))
     {
       const LA::Vector correction = mending.correction(rest);
       quality                     = quality_of(x, correction, error, scale);
       per_residual                = correction.linfty_norm() / error;
       known_compliance            = scale > 0 ? largest / scale : 0;
     }
-  if (!is_accepted(error, scale, largest_entry, x))
+  if (!converged(error, scale, largest_entry, x))
     fail();
 }
 
@@ -295,11 +295,11 @@ CondensedEquilibrium<dim>::judge(const LA::Vector &x,
 
 template <int dim>
 void
-CondensedEquilibrium<dim>::fail() const
+CondensedSolver<dim>::fail() const
 {
   std::ostringstream message;
   message << "The condensed solve left a relative residual of "
-          << quality.residual << ", which must not exceed " << failed_above
+          << quality.residual << ", which must not exceed " << failure_threshold
           << ". Set Division/Solve = every row anew.";
   throw SolverError(message.str());
 }
@@ -308,13 +308,13 @@ CondensedEquilibrium<dim>::fail() const
 
 template <int dim>
 SolveQuality
-CondensedEquilibrium<dim>::quality_of_last() const
+CondensedSolver<dim>::quality_of_last() const
 {
   return quality;
 }
 
 
 
-template class CondensedEquilibrium<2>;
-template class CondensedEquilibrium<3>;
+template class CondensedSolver<2>;
+template class CondensedSolver<3>;
 } // namespace Setsudan

@@ -10,15 +10,15 @@ namespace Setsudan
 {
 /** Homogeneous constraints for vectors of one partition, in the places of their
  * unknowns there. */
-class ConstraintLines
+class LocalConstraints
 {
 public:
   using Vector      = dealii::LinearAlgebra::distributed::Vector<double>;
   using Partitioner = dealii::Utilities::MPI::Partitioner;
 
   /** @param constraints closed; the partition has all that they name. */
-  ConstraintLines(const dealii::AffineConstraints<double> &constraints,
-                  const Partitioner &partitioner);
+  LocalConstraints(const dealii::AffineConstraints<double> &constraints,
+                   const Partitioner &partitioner);
 
   /** Give all constrained unknowns what the others, up to date, make them. */
   void

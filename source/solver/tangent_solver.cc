@@ -1,4 +1,4 @@
-#include <setsudan/solver/equilibrium_solver.h>
+#include <setsudan/solver/tangent_solver.h>
 
 #include <setsudan/solver/linear/linear_solver.h>
 
@@ -12,20 +12,20 @@ SolveQuality
 combine(const SolveQuality &a, const SolveQuality &b)
 {
   return {std::max(a.residual, b.residual),
-          std::max(a.uncertainty, b.uncertainty),
-          a.remark.empty() || b.remark.empty() || a.remark == b.remark
-            ? (a.remark.empty() ? b.remark : a.remark)
-            : a.remark + " " + b.remark};
+          std::max(a.estimated_relative_error, b.estimated_relative_error),
+          a.warning.empty() || b.warning.empty() || a.warning == b.warning
+            ? (a.warning.empty() ? b.warning : a.warning)
+            : a.warning + " " + b.warning};
 }
 
 
 
 bool
-is_accepted(const double residual,
-            const double loads,
-            const double norm_of_matrix,
-            const LA::Vector &x,
-            const double accepted)
+converged(const double residual,
+          const double loads,
+          const double norm_of_matrix,
+          const LA::Vector &x,
+          const double accepted)
 {
   // Beyond this a solve has failed in any case.
   constexpr double lost_above = 1e-5;
@@ -39,17 +39,17 @@ is_accepted(const double residual,
 
 
 LA::Vector
-mend(LA::Vector &x, const double wanted, const Mending &mending)
+iterative_refinement(LA::Vector &x, const double wanted, const Refined &mending)
 {
   constexpr unsigned int most = 5;
-  LA::Vector rest             = mending.rest_of(x);
+  LA::Vector rest             = mending.residual_of(x);
   double error                = mending.norm(rest);
   bool converges              = true;
   for (unsigned int n = 0; n < most && converges && error > wanted; ++n)
     {
       LA::Vector better = mending.correction(rest);
       better += x;
-      const LA::Vector new_rest = mending.rest_of(better);
+      const LA::Vector new_rest = mending.residual_of(better);
       const double new_error    = mending.norm(new_rest);
       if (!(new_error < error))
         break;
@@ -82,8 +82,9 @@ quality_of(const LA::Vector &x,
 {
   const double largest = x.linfty_norm();
   SolveQuality quality;
-  quality.residual    = loads > 0 ? residual / loads : 0;
-  quality.uncertainty = largest > 0 ? correction.linfty_norm() / largest : 0;
+  quality.residual = loads > 0 ? residual / loads : 0;
+  quality.estimated_relative_error =
+    largest > 0 ? correction.linfty_norm() / largest : 0;
   return quality;
 }
 } // namespace Setsudan

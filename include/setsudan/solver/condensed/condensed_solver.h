@@ -1,9 +1,9 @@
 #pragma once
 
 #include <setsudan/mechanics/elastic_model.h>
-#include <setsudan/solver/condensed/condensation.h>
-#include <setsudan/solver/condensed/reduced_cut.h>
-#include <setsudan/solver/equilibrium_solver.h>
+#include <setsudan/solver/condensed/interface_system.h>
+#include <setsudan/solver/condensed/static_condensation.h>
+#include <setsudan/solver/tangent_solver.h>
 
 #include <memory>
 #include <optional>
@@ -17,12 +17,12 @@ namespace Setsudan
  *
  * All other unknowns are eliminated once. What remains is the stiffness that
  * the cut's unknowns have, and of it each step takes what its ties leave: see
- * ReducedCut.
+ * InterfaceSystem.
  *
  * One process only.
  */
 template <int dim>
-class CondensedEquilibrium : public EquilibriumSolver
+class CondensedSolver : public TangentSolver
 {
 public:
   using Constraints = dealii::AffineConstraints<double>;
@@ -31,40 +31,40 @@ public:
    * @param base what holds in all steps, closed.
    * @param cut  the unknowns between which there are ties.
    */
-  CondensedEquilibrium(ElasticModel<dim> &model,
-                       std::shared_ptr<const Constraints> base,
-                       const dealii::IndexSet &cut);
+  CondensedSolver(ElasticModel<dim> &model,
+                  std::shared_ptr<const Constraints> base,
+                  const dealii::IndexSet &cut);
 
-  /** Go to a step: see ReducedCut::set_ties().
+  /** Go to a step: see InterfaceSystem::set_constraints().
    *
    * @param step closed: `base`, and ties among the unknowns of the cut.
    * @return false where a tie leads out of the cut, and nothing has changed. */
   bool
   set_constraints(std::shared_ptr<const Constraints> step);
 
-  /** Remember later steps, and factor them at once: see ReducedCut. */
+  /** Remember later steps, and factor them at once: see InterfaceSystem. */
   bool
-  foresee(const Constraints &later);
+  append_stage(const Constraints &later);
   void
   factorize_foreseen();
 
   /** What must be done to find some unknowns' displacement only. */
-  Condensation::Steps
+  StaticCondensation::Steps
   steps_for(const std::vector<unsigned int> &unknowns) const;
 
   /**
    * The displacement of some unknowns in a step that has been foreseen; what it
    * has in others is of no use. There is no residual to judge it by.
    *
-   * @param step   as in ReducedCut::go_to(); nothing is returned where there
-   *   is none.
+   * @param step   as in InterfaceSystem::activate_stage(); nothing is returned
+   * where there is none.
    * @param wanted from steps_for().
    */
   std::optional<LA::Vector>
   solve_partly(const unsigned int step,
                const LA::Vector &forces,
                const LA::Vector &prescribed,
-               const Condensation::Steps &wanted);
+               const StaticCondensation::Steps &wanted);
 
   LA::Vector
   solve(const LA::Vector &forces,
@@ -80,10 +80,10 @@ public:
   memory(const unsigned int n_unknowns_of_cut);
 
 private:
-  /** Condensation::eliminate(), or what it made of the last loads that are
-   * remembered, where they are the same but for those on the cut. */
-  Condensation::Eliminated
-  eliminate(const LA::Vector &loads, const bool is_remembered);
+  /** StaticCondensation::forward_eliminate(), or what it made of the last loads
+   * that are remembered, where they are the same but for those on the cut. */
+  StaticCondensation::Eliminated
+  forward_eliminate(const LA::Vector &loads, const bool is_remembered);
 
   /** The displacement that forces give, both obeying `base`, and the
    * displacement but for the `opening` the step.
@@ -94,7 +94,7 @@ private:
   solve_for(const LA::Vector &b,
             const std::vector<double> &opening,
             const bool is_remembered,
-            const Condensation::Steps *wanted = nullptr);
+            const StaticCondensation::Steps *wanted = nullptr);
 
   /** The forces less what a displacement off the cut takes of them. */
   LA::Vector
@@ -112,7 +112,7 @@ private:
   judge(const LA::Vector &x,
         const LA::Vector &rest,
         const double scale,
-        const Mending &mending);
+        const Refined &mending);
 
   [[noreturn]] void
   fail() const;
@@ -122,15 +122,15 @@ private:
   std::shared_ptr<const Constraints> step;
   /** The unknowns of the cut that `base` leaves free, ascending. */
   std::vector<unsigned int> cut;
-  std::unique_ptr<Condensation> condensation;
-  std::unique_ptr<ReducedCut> reduced;
+  std::unique_ptr<StaticCondensation> condensation;
+  std::unique_ptr<InterfaceSystem> reduced;
   /** The largest sum of a row of the stiffness. */
   double largest_entry = 0;
   /** The last displacement beyond the cut that was prescribed, and K times it.
    */
   LA::Vector remembered_beyond, forces_of_beyond;
   LA::Vector remembered_loads;
-  Condensation::Eliminated remembered;
+  StaticCondensation::Eliminated remembered;
   SolveQuality quality;
   /** The displacement for a residual of 1, and the largest displacement for
    * loads of size 1, when the quality was last looked at closely. */

@@ -1,4 +1,4 @@
-#include <setsudan/cut/seam/loose_ties.h>
+#include <setsudan/cut/seam/floating_ties.h>
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ template <int dim>
 void
 check_ties_of_loose_group(const Seam<dim> &seam,
                           const std::vector<unsigned int> &pieces,
-                          const LooseGroup<dim> &group,
+                          const FloatingGroup<dim> &group,
                           const Tensor<1, dim> &direction)
 {
   for (unsigned int p = 0; p < seam.pairs().size(); ++p)
@@ -24,7 +24,7 @@ check_ties_of_loose_group(const Seam<dim> &seam,
       auto form = group.held.zero();
       group.held.add_displacement(
         body - group.pieces.begin(), pair.position, direction, form);
-      if (group.held.unheld_part(form).l2_norm() > 1e-6)
+      if (group.held.unconstrained_part(form).l2_norm() > 1e-6)
         throw std::runtime_error(
           "The cut goes on through piece " + std::to_string(*body) +
           ", which it has severed and which has no support to press it "
@@ -38,11 +38,11 @@ check_ties_of_loose_group(const Seam<dim> &seam,
 template void
 check_ties_of_loose_group(const Seam<2> &,
                           const std::vector<unsigned int> &,
-                          const LooseGroup<2> &,
+                          const FloatingGroup<2> &,
                           const Tensor<1, 2> &);
 template void
 check_ties_of_loose_group(const Seam<3> &,
                           const std::vector<unsigned int> &,
-                          const LooseGroup<3> &,
+                          const FloatingGroup<3> &,
                           const Tensor<1, 3> &);
 } // namespace Setsudan

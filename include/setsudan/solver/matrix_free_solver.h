@@ -7,7 +7,7 @@
 
 namespace Setsudan
 {
-class ConstraintLines;
+class LocalConstraints;
 template <int dim>
 class ConstrainedStiffness;
 template <int dim>
@@ -18,7 +18,7 @@ class CoarseCorrection;
 /** The equilibrium for one set of constraints without a matrix: conjugate
  * gradients, preconditioned by multigrid. */
 template <int dim>
-class MultigridEquilibrium : public ConstrainedEquilibrium<dim>
+class MatrixFreeSolver : public ConstrainedEquilibrium<dim>
 {
 public:
   using Vector = typename CellBatches<dim>::Vector;
@@ -27,12 +27,12 @@ public:
    *
    * @param last the equilibrium under constraints that were a little different,
    *   whose coarse correction is kept if it serves here; or nothing. */
-  MultigridEquilibrium(ElasticModel<dim> &model,
-                       const dealii::AffineConstraints<double> &constraints,
-                       const SolverParameters &parameters,
-                       const MultigridEquilibrium<dim> *last = nullptr);
+  MatrixFreeSolver(ElasticModel<dim> &model,
+                   const dealii::AffineConstraints<double> &constraints,
+                   const SolverParameters &parameters,
+                   const MatrixFreeSolver<dim> *last = nullptr);
 
-  ~MultigridEquilibrium() override;
+  ~MatrixFreeSolver() override;
 
   /** How many iterations the last solve took. */
   unsigned int
@@ -56,7 +56,7 @@ private:
   const unsigned int max_iterations;
   const double tolerance;
   /** In the order in which each needs the one before. */
-  std::unique_ptr<const ConstraintLines> lines;
+  std::unique_ptr<const LocalConstraints> lines;
   std::unique_ptr<const ConstrainedStiffness<dim>> stiffness;
   std::shared_ptr<const CoarseCorrection<dim>> coarse;
   std::unique_ptr<const PMultigrid<dim>> multigrid;

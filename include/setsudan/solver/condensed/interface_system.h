@@ -2,7 +2,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
-#include <setsudan/solver/condensed/growing_cholesky.h>
+#include <setsudan/solver/condensed/incremental_cholesky.h>
 #include <setsudan/solver/condensed/schur_complement.h>
 
 #include <utility>
@@ -21,14 +21,14 @@ namespace Setsudan
  * beforehand it is made at once. A step costs as many operations as it has new
  * unknowns, times the square of those there are.
  */
-class ReducedCut
+class InterfaceSystem
 {
 public:
   using Constraints = dealii::AffineConstraints<double>;
 
   /** @param unknowns ascending, as many as `stiffness` has. */
-  ReducedCut(const std::vector<unsigned int> &unknowns,
-             const SchurComplement &stiffness);
+  InterfaceSystem(const std::vector<unsigned int> &unknowns,
+                  const SchurComplement &stiffness);
 
   /**
    * Go to a step. What the last step has and this one does not forbid is kept,
@@ -40,14 +40,15 @@ public:
    * @throw SolverError where the stiffness is not definite.
    */
   bool
-  set_ties(const Constraints &step);
+  set_constraints(const Constraints &step);
 
-  /** Remember a step for go_to(). Steps that are foreseen must be so in their
-   * order, and are forgotten where set_ties() does not agree with them.
+  /** Remember a step for activate_stage(). Steps that are foreseen must be so
+   * in their order, and are forgotten where set_constraints() does not agree
+   * with them.
    *
    * @return false where a tie leads out of the cut, and nothing has changed. */
   bool
-  foresee(const Constraints &step);
+  append_stage(const Constraints &step);
 
   /** Factor all that is foreseen at once. */
   void
@@ -57,7 +58,7 @@ public:
    *
    * @return false where there is none, and nothing has changed. */
   bool
-  go_to(const unsigned int step);
+  activate_stage(const unsigned int step);
 
   /** The displacement Q (Q^T S Q)^-1 Q^T f of the cut under forces f on it. */
   std::vector<double>
@@ -90,7 +91,7 @@ private:
   const std::vector<unsigned int> unknowns;
   const SchurComplement &stiffness;
   /** Of all columns, or of the first ones. */
-  GrowingCholesky factor;
+  IncrementalCholesky factor;
   /** The free unknown of each column. */
   std::vector<unsigned int> free_unknowns;
   std::vector<Column> basis;

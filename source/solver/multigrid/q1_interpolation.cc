@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
 
-#include <setsudan/solver/multigrid/vertex_rows.h>
+#include <setsudan/solver/multigrid/q1_interpolation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +41,10 @@ find_vertices_of_nodes(const std::vector<Point<dim>> &nodes)
 
 
 template <int dim>
-VertexRows<dim>::VertexRows(const Discretization<dim> &discretization,
-                            const CellBatches<dim> &batches,
-                            const Constraints &constraints,
-                            const ConstraintLines &lines)
+Q1Interpolation<dim>::Q1Interpolation(const Discretization<dim> &discretization,
+                                      const CellBatches<dim> &batches,
+                                      const Constraints &constraints,
+                                      const LocalConstraints &lines)
   : vertices_of_node(find_vertices_of_nodes<dim>(discretization.nodes()))
   , discretization(discretization)
   , batches(batches)
@@ -61,7 +61,7 @@ VertexRows<dim>::VertexRows(const Discretization<dim> &discretization,
 
 template <int dim>
 void
-VertexRows<dim>::unite(Row &row)
+Q1Interpolation<dim>::unite(Row &row)
 {
   std::sort(row.begin(), row.end());
   unsigned int n = 0;
@@ -77,12 +77,12 @@ VertexRows<dim>::unite(Row &row)
 
 template <int dim>
 void
-VertexRows<dim>::find_nodes()
+Q1Interpolation<dim>::find_nodes()
 {
   const auto &known          = *batches.partitioner();
   const unsigned int n_nodes = batches.n_nodes();
-  sites.assign(known.locally_owned_size() + known.n_ghost_indices(),
-               {0, unknown_node, 0});
+  dof_locations.assign(known.locally_owned_size() + known.n_ghost_indices(),
+                       {0, unknown_node, 0});
   node_places.reserve(batches.cells().size() * n_nodes);
   for (unsigned int b = 0; b < batches.size(); ++b)
     {
@@ -101,18 +101,18 @@ VertexRows<dim>::find_nodes()
   for (unsigned int cell = 0; cell < n_cells; ++cell)
     for (unsigned int node = 0; node < n_nodes; ++node)
       for (unsigned int c = 0; c < dim; ++c)
-        sites[place(cell, node, c)] = {cell,
-                                       static_cast<unsigned char>(node),
-                                       static_cast<unsigned char>(c)};
+        dof_locations[place(cell, node, c)] = {cell,
+                                               static_cast<unsigned char>(node),
+                                               static_cast<unsigned char>(c)};
 }
 
 
 
 template <int dim>
 unsigned int
-VertexRows<dim>::place(const unsigned int cell,
-                       const unsigned int node,
-                       const unsigned int component) const
+Q1Interpolation<dim>::place(const unsigned int cell,
+                            const unsigned int node,
+                            const unsigned int component) const
 {
   return node_places[cell * batches.n_nodes() + node] + component;
 }
@@ -121,13 +121,13 @@ VertexRows<dim>::place(const unsigned int cell,
 
 template <int dim>
 void
-VertexRows<dim>::number_vertices()
+Q1Interpolation<dim>::number_vertices()
 {
   constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_cell;
   const MPI_Comm communicator       = discretization.communicator;
   const unsigned int n_owned        = numbers.locally_owned_size();
   const auto is_numbered            = [&](const unsigned int at) {
-    return sites[at].node < n_vertices;
+    return dof_locations[at].node < n_vertices;
   };
   n_owned_numbers = 0;
   for (unsigned int at = 0; at < n_owned; ++at)
@@ -151,8 +151,8 @@ VertexRows<dim>::number_vertices()
 
 
 template <int dim>
-typename VertexRows<dim>::Row
-VertexRows<dim>::row_of(const unsigned int at) const
+typename Q1Interpolation<dim>::Row
+Q1Interpolation<dim>::row_of(const unsigned int at) const
 {
   const auto index = batches.partitioner()->local_to_global(at);
   Row row;
@@ -170,7 +170,7 @@ VertexRows<dim>::row_of(const unsigned int at) const
     }
   if (is_at_vertex(at))
     return {{number(at), 1.}};
-  const Site &site = sites[at];
+  const DofLocation &site = dof_locations[at];
   if (site.node == unknown_node)
     return rows_of_others.at(at);
   const auto &vertices = vertices_of_node[site.node];
@@ -184,7 +184,7 @@ VertexRows<dim>::row_of(const unsigned int at) const
 
 template <int dim>
 void
-VertexRows<dim>::ask_for_rows()
+Q1Interpolation<dim>::ask_for_rows()
 {
   const auto &known           = *batches.partitioner();
   const MPI_Comm communicator = discretization.communicator;
@@ -195,7 +195,7 @@ VertexRows<dim>::ask_for_rows()
   unsigned int ghost = known.locally_owned_size();
   for (const auto &[process, n_ghosts] : known.ghost_targets())
     for (unsigned int i = 0; i < n_ghosts; ++i, ++ghost)
-      if (sites[ghost].node == unknown_node && !is_at_vertex(ghost) &&
+      if (dof_locations[ghost].node == unknown_node && !is_at_vertex(ghost) &&
           !constraints.is_constrained(known.local_to_global(ghost)))
         asked[process].push_back(known.local_to_global(ghost));
   std::map<unsigned int, std::vector<Row>> answers;
@@ -213,7 +213,7 @@ VertexRows<dim>::ask_for_rows()
 
 template <int dim>
 bool
-VertexRows<dim>::is_constrained(const unsigned int cell) const
+Q1Interpolation<dim>::is_constrained(const unsigned int cell) const
 {
   for (unsigned int node = 0; node < batches.n_nodes(); ++node)
     for (unsigned int c = 0; c < dim; ++c)
@@ -226,7 +226,7 @@ VertexRows<dim>::is_constrained(const unsigned int cell) const
 
 template <int dim>
 bool
-VertexRows<dim>::is_at_vertex(const unsigned int at) const
+Q1Interpolation<dim>::is_at_vertex(const unsigned int at) const
 {
   return numbers.local_element(at) != not_a_vertex;
 }
@@ -235,7 +235,7 @@ VertexRows<dim>::is_at_vertex(const unsigned int at) const
 
 template <int dim>
 types::global_dof_index
-VertexRows<dim>::number(const unsigned int at) const
+Q1Interpolation<dim>::number(const unsigned int at) const
 {
   return static_cast<Index>(numbers.local_element(at));
 }
@@ -244,7 +244,7 @@ VertexRows<dim>::number(const unsigned int at) const
 
 template <int dim>
 IndexSet
-VertexRows<dim>::owned_numbers() const
+Q1Interpolation<dim>::owned_numbers() const
 {
   IndexSet owned(
     Utilities::MPI::sum(n_owned_numbers, discretization.communicator));
@@ -254,6 +254,6 @@ VertexRows<dim>::owned_numbers() const
 
 
 
-template class VertexRows<2>;
-template class VertexRows<3>;
+template class Q1Interpolation<2>;
+template class Q1Interpolation<3>;
 } // namespace Setsudan

@@ -13,11 +13,11 @@ namespace Setsudan
  * alone are in the first part.
  */
 std::vector<std::vector<unsigned int>>
-uncoupled_parts(const LA::SparseMatrix &matrix);
+connected_components(const LA::SparseMatrix &matrix);
 
 /** Do something for each of some parts, on all cores, as if one part after the
  * other were done: what fails is thrown. */
 void
-side_by_side(const unsigned int n_parts,
+parallel_for(const unsigned int n_parts,
              const std::function<void(unsigned int)> &work);
 } // namespace Setsudan

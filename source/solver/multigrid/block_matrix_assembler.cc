@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
 
-#include <setsudan/solver/multigrid/node_blocks.h>
+#include <setsudan/solver/multigrid/block_matrix_assembler.h>
 
 #include <Epetra_Map.h>
 #include <Epetra_MpiComm.h>
@@ -14,9 +14,9 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-NodeBlocks<dim>::NodeBlocks(const Index first,
-                            const Index n_owned,
-                            const MPI_Comm communicator)
+BlockMatrixAssembler<dim>::BlockMatrixAssembler(const Index first,
+                                                const Index n_owned,
+                                                const MPI_Comm communicator)
   : first(first)
   , communicator(communicator)
   , rows(n_owned)
@@ -27,7 +27,7 @@ NodeBlocks<dim>::NodeBlocks(const Index first,
 
 template <int dim>
 bool
-NodeBlocks<dim>::owns(const Index node) const
+BlockMatrixAssembler<dim>::owns(const Index node) const
 {
   return node >= first && node - first < rows.size();
 }
@@ -35,8 +35,8 @@ NodeBlocks<dim>::owns(const Index node) const
 
 
 template <int dim>
-typename NodeBlocks<dim>::RowOfNode &
-NodeBlocks<dim>::row_of(const Index node)
+typename BlockMatrixAssembler<dim>::RowOfNode &
+BlockMatrixAssembler<dim>::row_of(const Index node)
 {
   return owns(node) ? rows[node - first] : rows_of_others[node];
 }
@@ -45,7 +45,7 @@ NodeBlocks<dim>::row_of(const Index node)
 
 template <int dim>
 double *
-NodeBlocks<dim>::block(const Index row, const Index column)
+BlockMatrixAssembler<dim>::block(const Index row, const Index column)
 {
   constexpr unsigned int size = dim * dim;
   // Where as many cells meet as in a box.
@@ -71,7 +71,7 @@ NodeBlocks<dim>::block(const Index row, const Index column)
 
 template <int dim>
 void
-NodeBlocks<dim>::finish()
+BlockMatrixAssembler<dim>::finish()
 {
   constexpr unsigned int size = dim * dim;
   std::vector<Index> firsts   = Utilities::MPI::all_gather(communicator, first);
@@ -114,7 +114,7 @@ NodeBlocks<dim>::finish()
 
 template <int dim>
 void
-NodeBlocks<dim>::fill_diagonal()
+BlockMatrixAssembler<dim>::fill_diagonal()
 {
   double sum           = 0;
   unsigned int n_terms = 0;
@@ -140,8 +140,8 @@ NodeBlocks<dim>::fill_diagonal()
 
 
 template <int dim>
-std::vector<typename NodeBlocks<dim>::Index>
-NodeBlocks<dim>::columns_of_others() const
+std::vector<typename BlockMatrixAssembler<dim>::Index>
+BlockMatrixAssembler<dim>::columns_of_others() const
 {
   std::vector<Index> others;
   for (const auto &row : rows)
@@ -157,7 +157,7 @@ NodeBlocks<dim>::columns_of_others() const
 
 template <int dim>
 std::unique_ptr<Epetra_CrsMatrix>
-NodeBlocks<dim>::matrix() const
+BlockMatrixAssembler<dim>::matrix() const
 {
   const Epetra_MpiComm processes(communicator);
   const auto others = columns_of_others();
@@ -209,6 +209,6 @@ NodeBlocks<dim>::matrix() const
 
 
 
-template class NodeBlocks<2>;
-template class NodeBlocks<3>;
+template class BlockMatrixAssembler<2>;
+template class BlockMatrixAssembler<3>;
 } // namespace Setsudan

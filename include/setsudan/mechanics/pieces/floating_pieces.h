@@ -8,7 +8,7 @@
 namespace Setsudan
 {
 /** A piece that can move rigidly, and what would hold it. */
-struct LoosePiece
+struct FloatingPiece
 {
   unsigned int piece;
   /** Vertices of the mesh and components to hold, one per rigid motion. Empty
@@ -16,7 +16,7 @@ struct LoosePiece
   std::vector<PointComponent> hold;
 
   bool
-  operator==(const LoosePiece &other) const
+  operator==(const FloatingPiece &other) const
   {
     return piece == other.piece && hold == other.hold;
   }
@@ -30,20 +30,20 @@ std::vector<dealii::types::global_dof_index>
 unknowns_of_hold(const Discretization<dim> &discretization,
                  const CoarseMesh<dim> &mesh,
                  const std::vector<unsigned int> &pieces,
-                 const std::vector<LoosePiece> &loose);
+                 const std::vector<FloatingPiece> &loose);
 
 /** Constrain all unknowns of a piece that is left out: it stays at rest. */
 template <int dim>
 void
 constrain_dropped_piece(const Discretization<dim> &discretization,
                         const std::vector<unsigned int> &pieces,
-                        const LoosePiece &loose,
+                        const FloatingPiece &loose,
                         dealii::AffineConstraints<double> &constraints);
 
 /** Take the loads and prescribed displacements off a piece that is left out. */
 template <int dim>
 void
 remove_loads_from_piece(const std::vector<unsigned int> &pieces,
-                        const LoosePiece &loose,
+                        const FloatingPiece &loose,
                         ElasticModel<dim> &model);
 } // namespace Setsudan

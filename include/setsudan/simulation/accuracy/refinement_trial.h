@@ -30,15 +30,15 @@ struct TrialRecord
  * @throw what solving these states throws.
  */
 template <int dim>
-class Trial
+class RefinementTrial
 {
 public:
   /** @param earlier the trials on coarser meshes, in order; the row in the
    * middle is that of the first of them. */
-  Trial(const Scene<dim> &scene,
-        const Refinement &refinement,
-        const std::vector<TrialRecord> &earlier,
-        const MPI_Comm communicator);
+  RefinementTrial(const Scene<dim> &scene,
+                  const Refinement &refinement,
+                  const std::vector<TrialRecord> &earlier,
+                  const MPI_Comm communicator);
 
   /** Of the scene's quantity, in the state where it is larger. */
   double

@@ -9,11 +9,11 @@ namespace Setsudan
 {
 /** The Cholesky factor of a dense matrix that grows: rows and columns are added
  * at its end, and what was factored stays. */
-class GrowingCholesky
+class IncrementalCholesky
 {
 public:
   /** @param most how many unknowns there may be in the end. */
-  explicit GrowingCholesky(const unsigned int most);
+  explicit IncrementalCholesky(const unsigned int most);
 
   unsigned int
   size() const;

@@ -1,7 +1,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <setsudan/kernel/blas.h>
-#include <setsudan/solver/condensed/growing_cholesky.h>
+#include <setsudan/solver/condensed/incremental_cholesky.h>
 #include <setsudan/solver/linear/linear_solver.h>
 
 #include <Teuchos_BLAS.hpp>
@@ -13,7 +13,7 @@ namespace Setsudan
 {
 using namespace dealii;
 
-GrowingCholesky::GrowingCholesky(const unsigned int most)
+IncrementalCholesky::IncrementalCholesky(const unsigned int most)
   : most(most)
 {
   factor.resize_fast(std::size_t(most) * most);
@@ -22,7 +22,7 @@ GrowingCholesky::GrowingCholesky(const unsigned int most)
 
 
 unsigned int
-GrowingCholesky::size() const
+IncrementalCholesky::size() const
 {
   return n;
 }
@@ -30,7 +30,7 @@ GrowingCholesky::size() const
 
 
 void
-GrowingCholesky::append(
+IncrementalCholesky::append(
   const unsigned int n_new,
   const std::function<double(unsigned int, unsigned int)> &entry_of)
 {
@@ -82,7 +82,7 @@ GrowingCholesky::append(
 
 
 void
-GrowingCholesky::shrink(const unsigned int n_left)
+IncrementalCholesky::shrink(const unsigned int n_left)
 {
   AssertIndexRange(n_left, n + 1);
   n = n_left;
@@ -91,7 +91,7 @@ GrowingCholesky::shrink(const unsigned int n_left)
 
 
 void
-GrowingCholesky::solve(std::vector<double> &x) const
+IncrementalCholesky::solve(std::vector<double> &x) const
 {
   const int n_solved = x.size();
   AssertIndexRange(x.size(), n + 1);

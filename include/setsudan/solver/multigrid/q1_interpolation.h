@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/mechanics/cell_batches.h>
-#include <setsudan/solver/multigrid/constraint_lines.h>
+#include <setsudan/solver/multigrid/local_constraints.h>
 
 #include <unordered_map>
 #include <utility>
@@ -17,7 +17,7 @@ namespace Setsudan
  * but those that are constrained mean nothing.
  */
 template <int dim>
-class VertexRows
+class Q1Interpolation
 {
 public:
   using Constraints = dealii::AffineConstraints<double>;
@@ -29,10 +29,10 @@ public:
 
   /** @param constraints homogeneous and closed; must live as long, as all.
    * @param lines        the same for the batches. */
-  VertexRows(const Discretization<dim> &discretization,
-             const CellBatches<dim> &batches,
-             const Constraints &constraints,
-             const ConstraintLines &lines);
+  Q1Interpolation(const Discretization<dim> &discretization,
+                  const CellBatches<dim> &batches,
+                  const Constraints &constraints,
+                  const LocalConstraints &lines);
 
   /** The unknown at a place of vectors of the batches. */
   Row
@@ -82,17 +82,17 @@ private:
   const Discretization<dim> &discretization;
   const CellBatches<dim> &batches;
   const Constraints &constraints;
-  const ConstraintLines &lines;
+  const LocalConstraints &lines;
   /** Where the nodes' first components are, cell by cell: those of the batches,
    * then those of neighboring processes' cells. */
   std::vector<unsigned int> node_places;
   /** A node of a cell that each place belongs to. */
-  struct Site
+  struct DofLocation
   {
     unsigned int cell;
     unsigned char node, component;
   };
-  std::vector<Site> sites;
+  std::vector<DofLocation> dof_locations;
   Vector numbers;
   Index first_number, n_owned_numbers;
   std::unordered_map<unsigned int, Row> rows_of_others;

@@ -1,6 +1,6 @@
 #include <deal.II/base/exceptions.h>
 
-#include <setsudan/mesh/gmsh_order.h>
+#include <setsudan/mesh/node_order.h>
 #include <setsudan/mesh/nodes.h>
 
 namespace Setsudan

@@ -2,8 +2,8 @@
 
 #include <setsudan/mechanics/cell_batches.h>
 #include <setsudan/mechanics/elastic_model.h>
-#include <setsudan/solver/multigrid/node_blocks.h>
-#include <setsudan/solver/multigrid/vertex_rows.h>
+#include <setsudan/solver/multigrid/block_matrix_assembler.h>
+#include <setsudan/solver/multigrid/q1_interpolation.h>
 
 #include <memory>
 #include <vector>
@@ -15,11 +15,11 @@ namespace Setsudan
  * cell, as a subspace of those of a body under constraints: with them multigrid
  * corrects what its smoother leaves.
  *
- * By the rule of VertexRows alone ties, supports and hanging nodes are all
+ * By the rule of Q1Interpolation alone ties, supports and hanging nodes are all
  * obeyed exactly, whichever they are.
  */
 template <int dim>
-class VertexSpace
+class Q1CoarseSpace
 {
 public:
   using Constraints = dealii::AffineConstraints<double>;
@@ -29,9 +29,9 @@ public:
   /** @param constraints homogeneous and closed.
    * @param lines        the same for the model's batches. Both are needed as
    * long as more than transfers are asked for. */
-  VertexSpace(ElasticModel<dim> &model,
-              const Constraints &constraints,
-              const ConstraintLines &lines);
+  Q1CoarseSpace(ElasticModel<dim> &model,
+                const Constraints &constraints,
+                const LocalConstraints &lines);
 
   /** How vectors of this space are distributed. */
   const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
@@ -43,7 +43,7 @@ public:
   void
   prolongate_and_add(Vector &fine,
                      Vector &coarse,
-                     const ConstraintLines *now) const;
+                     const LocalConstraints *now) const;
 
   /** The transpose, for forces. */
   void
@@ -51,7 +51,7 @@ public:
 
   /** The stiffness of this space: exactly that of the body for its
    * displacements. */
-  NodeBlocks<dim>
+  BlockMatrixAssembler<dim>
   stiffness() const;
 
   /** For each rigid motion its value in this process's unknowns. */
@@ -59,7 +59,7 @@ public:
   rigid_modes() const;
 
 private:
-  using Row = typename VertexRows<dim>::Row;
+  using Row = typename Q1Interpolation<dim>::Row;
 
   void
   make_transfer();
@@ -70,7 +70,7 @@ private:
   add_cell(const unsigned int cell,
            const unsigned int lane,
            const dealii::AlignedVector<double> &of_batch,
-           NodeBlocks<dim> &blocks) const;
+           BlockMatrixAssembler<dim> &blocks) const;
 
   /** Whether all nodes of a cell, in spite of constraints, are where its
    * vertices take them. */
@@ -81,11 +81,11 @@ private:
   void
   add_product(const std::vector<Row> &rows_of_cell,
               const Entry &entry,
-              NodeBlocks<dim> &blocks) const;
+              BlockMatrixAssembler<dim> &blocks) const;
 
   ElasticModel<dim> &model;
   const CellBatches<dim> &batches;
-  const VertexRows<dim> rows;
+  const Q1Interpolation<dim> rows;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> coarse_partitioner;
   /** The transfer, row by row of this process's unknowns. */
   std::vector<unsigned int> starts, columns;

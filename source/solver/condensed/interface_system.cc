@@ -1,4 +1,4 @@
-#include <setsudan/solver/condensed/reduced_cut.h>
+#include <setsudan/solver/condensed/interface_system.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@ constexpr double round_off = 1e-13;
 } // namespace
 
 
-ReducedCut::ReducedCut(const std::vector<unsigned int> &unknowns,
-                       const SchurComplement &stiffness)
+InterfaceSystem::InterfaceSystem(const std::vector<unsigned int> &unknowns,
+                                 const SchurComplement &stiffness)
   : unknowns(unknowns)
   , stiffness(stiffness)
   , factor(unknowns.size())
@@ -25,9 +25,9 @@ ReducedCut::ReducedCut(const std::vector<unsigned int> &unknowns,
 
 
 bool
-ReducedCut::columns_of(const Constraints &constraints,
-                       std::vector<unsigned int> &free,
-                       std::vector<Column> &columns) const
+InterfaceSystem::columns_of(const Constraints &constraints,
+                            std::vector<unsigned int> &free,
+                            std::vector<Column> &columns) const
 {
   const auto place_of = [&](const types::global_dof_index unknown) {
     const auto found =
@@ -60,8 +60,8 @@ ReducedCut::columns_of(const Constraints &constraints,
 
 
 unsigned int
-ReducedCut::n_that_fit(const std::vector<unsigned int> &free,
-                       const std::vector<Column> &columns) const
+InterfaceSystem::n_that_fit(const std::vector<unsigned int> &free,
+                            const std::vector<Column> &columns) const
 {
   std::vector<int> column_of(unknowns.size(), -1);
   for (unsigned int c = 0; c < free.size(); ++c)
@@ -99,7 +99,7 @@ ReducedCut::n_that_fit(const std::vector<unsigned int> &free,
 
 
 bool
-ReducedCut::place(const Constraints &step)
+InterfaceSystem::place(const Constraints &step)
 {
   std::vector<unsigned int> free;
   std::vector<Column> columns;
@@ -130,7 +130,7 @@ ReducedCut::place(const Constraints &step)
 
 
 bool
-ReducedCut::foresee(const Constraints &step)
+InterfaceSystem::append_stage(const Constraints &step)
 {
   if (!place(step))
     return false;
@@ -141,7 +141,7 @@ ReducedCut::foresee(const Constraints &step)
 
 
 void
-ReducedCut::factorize_foreseen()
+InterfaceSystem::factorize_foreseen()
 {
   factorize(basis.size());
 }
@@ -149,7 +149,7 @@ ReducedCut::factorize_foreseen()
 
 
 bool
-ReducedCut::go_to(const unsigned int step)
+InterfaceSystem::activate_stage(const unsigned int step)
 {
   if (step >= n_columns_of.size())
     return false;
@@ -161,7 +161,7 @@ ReducedCut::go_to(const unsigned int step)
 
 
 void
-ReducedCut::factorize(const unsigned int n)
+InterfaceSystem::factorize(const unsigned int n)
 {
   if (n <= factor.size())
     return;
@@ -178,7 +178,7 @@ ReducedCut::factorize(const unsigned int n)
 
 
 bool
-ReducedCut::set_ties(const Constraints &step)
+InterfaceSystem::set_constraints(const Constraints &step)
 {
   if (!place(step))
     return false;
@@ -189,7 +189,7 @@ ReducedCut::set_ties(const Constraints &step)
 
 
 std::vector<double>
-ReducedCut::displacement(const double *forces) const
+InterfaceSystem::displacement(const double *forces) const
 {
   std::vector<double> q(n_columns, 0.), u(unknowns.size(), 0.);
   for (unsigned int c = 0; c < n_columns; ++c)

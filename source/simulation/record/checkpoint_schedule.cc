@@ -1,15 +1,15 @@
 #include <deal.II/base/mpi.h>
 
-#include <setsudan/simulation/record/checkpoint_keeper.h>
+#include <setsudan/simulation/record/checkpoint_schedule.h>
 
 namespace Setsudan
 {
 using When = OutputParameters::Checkpoint;
 
-CheckpointKeeper::CheckpointKeeper(const When when,
-                                   const OutputDirectory &directory,
-                                   const Progress &progress,
-                                   const MPI_Comm communicator)
+CheckpointSchedule::CheckpointSchedule(const When when,
+                                       const OutputDirectory &directory,
+                                       const Progress &progress,
+                                       const MPI_Comm communicator)
   : when(when)
   , directory(directory)
   , progress(progress)
@@ -20,7 +20,7 @@ CheckpointKeeper::CheckpointKeeper(const When when,
 
 
 bool
-CheckpointKeeper::keeps() const
+CheckpointSchedule::keeps() const
 {
   return when != When::none;
 }
@@ -28,7 +28,7 @@ CheckpointKeeper::keeps() const
 
 
 bool
-CheckpointKeeper::is_due() const
+CheckpointSchedule::is_due() const
 {
   if (when != When::automatic)
     return keeps();
@@ -40,7 +40,7 @@ CheckpointKeeper::is_due() const
 
 
 void
-CheckpointKeeper::make(const Checkpoint &checkpoint)
+CheckpointSchedule::make(const Checkpoint &checkpoint)
 {
   if (!keeps())
     return;
@@ -53,7 +53,7 @@ CheckpointKeeper::make(const Checkpoint &checkpoint)
 
 
 void
-CheckpointKeeper::finish() const
+CheckpointSchedule::finish() const
 {
   if (keeps())
     remove_checkpoint(directory, communicator);

@@ -7,14 +7,14 @@ namespace Setsudan
 {
 /** Makes the checkpoints of a run as often as its scene asks for. Called by all
  * processes. */
-class CheckpointKeeper
+class CheckpointSchedule
 {
 public:
   /** @param directory and `progress`, the run's clock, must live as long. */
-  CheckpointKeeper(const OutputParameters::Checkpoint when,
-                   const OutputDirectory &directory,
-                   const Progress &progress,
-                   const MPI_Comm communicator);
+  CheckpointSchedule(const OutputParameters::Checkpoint when,
+                     const OutputDirectory &directory,
+                     const Progress &progress,
+                     const MPI_Comm communicator);
 
   /** Whether the scene asks for any. */
   bool

@@ -16,13 +16,13 @@ namespace Setsudan
  * each part of the matrix has a factor of its own, and they are worked on side
  * by side on several cores.
  */
-class Condensation
+class StaticCondensation
 {
 public:
   /** @param cut ascending.
    * @throw SolverError where the rest is not positive definite. */
-  Condensation(const LA::SparseMatrix &matrix,
-               const std::vector<unsigned int> &cut);
+  StaticCondensation(const LA::SparseMatrix &matrix,
+                     const std::vector<unsigned int> &cut);
 
   /** What the cut's unknowns are to each other, numbered as in the cut. */
   const SchurComplement &
@@ -38,7 +38,7 @@ public:
   };
 
   Eliminated
-  eliminate(const LA::Vector &loads) const;
+  forward_eliminate(const LA::Vector &loads) const;
 
   /** What must be done to recover some unknowns only. */
   using Steps = std::vector<CholeskyFactor::Steps>;
@@ -49,10 +49,10 @@ public:
   /** The displacement x off the cut from that of the cut, and on it: of all
    * unknowns, or of those that `steps` is for. */
   void
-  recover(Eliminated loads,
-          const std::vector<double> &of_cut,
-          LA::Vector &x,
-          const Steps *steps = nullptr) const;
+  back_substitute(Eliminated loads,
+                  const std::vector<double> &of_cut,
+                  LA::Vector &x,
+                  const Steps *steps = nullptr) const;
 
 private:
   struct Part

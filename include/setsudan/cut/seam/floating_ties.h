@@ -17,6 +17,6 @@ template <int dim>
 void
 check_ties_of_loose_group(const Seam<dim> &seam,
                           const std::vector<unsigned int> &pieces,
-                          const LooseGroup<dim> &group,
+                          const FloatingGroup<dim> &group,
                           const dealii::Tensor<1, dim> &direction);
 } // namespace Setsudan

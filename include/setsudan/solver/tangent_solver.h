@@ -15,9 +15,9 @@ struct SolveQuality
   double residual = 0;
   /** How large about the largest displacement is to which that residual
    * belongs, relative to the largest one. */
-  double uncertainty = 0;
+  double estimated_relative_error = 0;
   /** What the user should know of how it was solved; mostly nothing. */
-  std::string remark;
+  std::string warning;
 };
 
 /** What holds of two solves together: the worse of each, and all remarks. */
@@ -26,8 +26,8 @@ combine(const SolveQuality &a, const SolveQuality &b);
 
 /** A solve is mended where its relative residual exceeds the first, and has
  * failed where it exceeds the second. */
-inline constexpr double refined_above = 1e-13;
-inline constexpr double failed_above  = 1e-8;
+inline constexpr double refinement_threshold = 1e-13;
+inline constexpr double failure_threshold    = 1e-8;
 
 /**
  * Whether a solve is good enough: its residual is small beside the loads, or is
@@ -36,17 +36,17 @@ inline constexpr double failed_above  = 1e-8;
  * @param norm_of_matrix the largest sum of a row's magnitudes in K.
  */
 bool
-is_accepted(const double residual,
-            const double loads,
-            const double norm_of_matrix,
-            const LA::Vector &x,
-            const double accepted = failed_above);
+converged(const double residual,
+          const double loads,
+          const double norm_of_matrix,
+          const LA::Vector &x,
+          const double accepted = failure_threshold);
 
 /** How a solution is mended. */
-struct Mending
+struct Refined
 {
   /** What a solution leaves over of the loads. */
-  std::function<LA::Vector(const LA::Vector &)> rest_of;
+  std::function<LA::Vector(const LA::Vector &)> residual_of;
   /** The size of that. */
   std::function<double(const LA::Vector &)> norm;
   /** The displacement that it belongs to. */
@@ -60,7 +60,9 @@ struct Mending
  * @return what is left over in the end.
  */
 LA::Vector
-mend(LA::Vector &x, const double wanted, const Mending &mending);
+iterative_refinement(LA::Vector &x,
+                     const double wanted,
+                     const Refined &mending);
 
 /** @throw SolverError where the size of the loads is no number. */
 void
@@ -75,10 +77,10 @@ quality_of(const LA::Vector &x,
 
 /** The body's equilibrium for one set of constraints, in whichever way it is
  * prepared. */
-class EquilibriumSolver
+class TangentSolver
 {
 public:
-  virtual ~EquilibriumSolver() = default;
+  virtual ~TangentSolver() = default;
 
   /**
    * The displacement under nodal forces.

@@ -1,6 +1,6 @@
 #include <deal.II/fe/fe_q.h>
 
-#include <setsudan/solver/multigrid/vertex_space.h>
+#include <setsudan/solver/multigrid/q1_coarse_space.h>
 #include <setsudan/space/near_null_space.h>
 #include <setsudan/space/reference_gradients.h>
 
@@ -11,9 +11,9 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-VertexSpace<dim>::VertexSpace(ElasticModel<dim> &model,
-                              const Constraints &constraints,
-                              const ConstraintLines &lines)
+Q1CoarseSpace<dim>::Q1CoarseSpace(ElasticModel<dim> &model,
+                                  const Constraints &constraints,
+                                  const LocalConstraints &lines)
   : model(model)
   , batches(model.batches())
   , rows(model.discretization, batches, constraints, lines)
@@ -25,7 +25,7 @@ VertexSpace<dim>::VertexSpace(ElasticModel<dim> &model,
 
 template <int dim>
 void
-VertexSpace<dim>::make_transfer()
+Q1CoarseSpace<dim>::make_transfer()
 {
   const unsigned int n_owned = batches.partitioner()->locally_owned_size();
   std::vector<Index> numbers;
@@ -55,7 +55,7 @@ VertexSpace<dim>::make_transfer()
 
 template <int dim>
 const std::shared_ptr<const Utilities::MPI::Partitioner> &
-VertexSpace<dim>::partitioner() const
+Q1CoarseSpace<dim>::partitioner() const
 {
   return coarse_partitioner;
 }
@@ -64,9 +64,9 @@ VertexSpace<dim>::partitioner() const
 
 template <int dim>
 void
-VertexSpace<dim>::prolongate_and_add(Vector &fine,
-                                     Vector &coarse,
-                                     const ConstraintLines *now) const
+Q1CoarseSpace<dim>::prolongate_and_add(Vector &fine,
+                                       Vector &coarse,
+                                       const LocalConstraints *now) const
 {
   coarse.update_ghost_values();
   for (unsigned int at = 0; at + 1 < starts.size(); ++at)
@@ -85,7 +85,7 @@ VertexSpace<dim>::prolongate_and_add(Vector &fine,
 
 template <int dim>
 void
-VertexSpace<dim>::restrict_forces(Vector &coarse, const Vector &fine) const
+Q1CoarseSpace<dim>::restrict_forces(Vector &coarse, const Vector &fine) const
 {
   coarse = 0;
   for (unsigned int at = 0; at + 1 < starts.size(); ++at)
@@ -97,8 +97,8 @@ VertexSpace<dim>::restrict_forces(Vector &coarse, const Vector &fine) const
 
 
 template <int dim>
-NodeBlocks<dim>
-VertexSpace<dim>::stiffness() const
+BlockMatrixAssembler<dim>
+Q1CoarseSpace<dim>::stiffness() const
 {
   constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_cell;
   const auto &kernel                = batches.kernel;
@@ -107,14 +107,14 @@ VertexSpace<dim>::stiffness() const
   AlignedVector<double> of_batch(n_vertices * dim * n_vertices * dim *
                                  kernel.n_lanes);
   const auto owned = coarse_partitioner->local_range();
-  NodeBlocks<dim> blocks(owned.first / dim,
-                         (owned.second - owned.first) / dim,
-                         model.discretization.communicator);
+  BlockMatrixAssembler<dim> blocks(owned.first / dim,
+                                   (owned.second - owned.first) / dim,
+                                   model.discretization.communicator);
   unsigned int first_cell = 0;
   for (unsigned int b = 0; b < batches.size(); ++b)
     {
       const CellBatch batch = batches[b];
-      if (!batches.is_like_last(b))
+      if (!batches.same_as_previous(b))
         kernel.integrate(
           batch, gradients.data(), n_vertices, false, of_batch.data());
       for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
@@ -129,10 +129,10 @@ VertexSpace<dim>::stiffness() const
 
 template <int dim>
 void
-VertexSpace<dim>::add_cell(const unsigned int cell,
-                           const unsigned int lane,
-                           const AlignedVector<double> &of_batch,
-                           NodeBlocks<dim> &blocks) const
+Q1CoarseSpace<dim>::add_cell(const unsigned int cell,
+                             const unsigned int lane,
+                             const AlignedVector<double> &of_batch,
+                             BlockMatrixAssembler<dim> &blocks) const
 {
   constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_cell;
   constexpr unsigned int n          = n_vertices * dim;
@@ -188,7 +188,7 @@ VertexSpace<dim>::add_cell(const unsigned int cell,
 
 template <int dim>
 bool
-VertexSpace<dim>::are_linear(const std::vector<Row> &rows_of_cell) const
+Q1CoarseSpace<dim>::are_linear(const std::vector<Row> &rows_of_cell) const
 {
   for (unsigned int node = 0; node < rows.vertices_of_node.size(); ++node)
     for (unsigned int c = 0; c < dim; ++c)
@@ -198,7 +198,7 @@ VertexSpace<dim>::are_linear(const std::vector<Row> &rows_of_cell) const
         for (const unsigned int vertex : vertices)
           for (const auto &[number, weight] : rows_of_cell[vertex * dim + c])
             difference.emplace_back(number, -weight / vertices.size());
-        VertexRows<dim>::unite(difference);
+        Q1Interpolation<dim>::unite(difference);
         for (const auto &term : difference)
           if (std::abs(term.second) > 1e-12)
             return false;
@@ -211,9 +211,9 @@ VertexSpace<dim>::are_linear(const std::vector<Row> &rows_of_cell) const
 template <int dim>
 template <typename Entry>
 void
-VertexSpace<dim>::add_product(const std::vector<Row> &rows_of_cell,
-                              const Entry &entry,
-                              NodeBlocks<dim> &blocks) const
+Q1CoarseSpace<dim>::add_product(const std::vector<Row> &rows_of_cell,
+                                const Entry &entry,
+                                BlockMatrixAssembler<dim> &blocks) const
 {
   for (unsigned int i = 0; i < rows_of_cell.size(); ++i)
     for (unsigned int j = 0; j < rows_of_cell.size(); ++j)
@@ -228,18 +228,18 @@ VertexSpace<dim>::add_product(const std::vector<Row> &rows_of_cell,
 
 template <int dim>
 std::vector<std::vector<double>>
-VertexSpace<dim>::rigid_modes() const
+Q1CoarseSpace<dim>::rigid_modes() const
 {
-  std::vector<typename Discretization<dim>::Site> vertices;
-  const auto &sites = model.discretization.sites();
-  for (unsigned int at = 0; at < sites.size(); ++at)
+  std::vector<typename Discretization<dim>::DofLocation> vertices;
+  const auto &dof_locations = model.discretization.dof_locations();
+  for (unsigned int at = 0; at < dof_locations.size(); ++at)
     if (rows.is_at_vertex(at))
-      vertices.push_back(sites[at]);
+      vertices.push_back(dof_locations[at]);
   return rigid_modes_at<dim>(vertices);
 }
 
 
 
-template class VertexSpace<2>;
-template class VertexSpace<3>;
+template class Q1CoarseSpace<2>;
+template class Q1CoarseSpace<3>;
 } // namespace Setsudan

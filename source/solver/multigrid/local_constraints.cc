@@ -1,11 +1,11 @@
-#include <setsudan/solver/multigrid/constraint_lines.h>
+#include <setsudan/solver/multigrid/local_constraints.h>
 
 namespace Setsudan
 {
 using namespace dealii;
 
-ConstraintLines::ConstraintLines(const AffineConstraints<double> &constraints,
-                                 const Partitioner &partitioner)
+LocalConstraints::LocalConstraints(const AffineConstraints<double> &constraints,
+                                   const Partitioner &partitioner)
   : starts(1, 0)
 {
   const unsigned int n_owned = partitioner.locally_owned_size();
@@ -30,7 +30,7 @@ ConstraintLines::ConstraintLines(const AffineConstraints<double> &constraints,
 
 
 void
-ConstraintLines::distribute(Vector &vector) const
+LocalConstraints::distribute(Vector &vector) const
 {
   double *const values = vector.begin();
   for (unsigned int line = 0; line < places.size(); ++line)
@@ -45,7 +45,7 @@ ConstraintLines::distribute(Vector &vector) const
 
 
 void
-ConstraintLines::hand_over(Vector &forces, const unsigned int power) const
+LocalConstraints::hand_over(Vector &forces, const unsigned int power) const
 {
   double *const values = forces.begin();
   for (unsigned int line = 0; line < places.size(); ++line)
@@ -63,7 +63,7 @@ ConstraintLines::hand_over(Vector &forces, const unsigned int power) const
 
 
 void
-ConstraintLines::condense(Vector &forces) const
+LocalConstraints::condense(Vector &forces) const
 {
   hand_over(forces, 1);
 }
@@ -71,7 +71,7 @@ ConstraintLines::condense(Vector &forces) const
 
 
 void
-ConstraintLines::condense_diagonal(Vector &diagonal) const
+LocalConstraints::condense_diagonal(Vector &diagonal) const
 {
   hand_over(diagonal, 2);
 }
@@ -79,7 +79,7 @@ ConstraintLines::condense_diagonal(Vector &diagonal) const
 
 
 bool
-ConstraintLines::is_constrained(const unsigned int place) const
+LocalConstraints::is_constrained(const unsigned int place) const
 {
   return is_line[place];
 }
@@ -87,7 +87,7 @@ ConstraintLines::is_constrained(const unsigned int place) const
 
 
 const std::vector<unsigned int> &
-ConstraintLines::owned() const
+LocalConstraints::owned() const
 {
   return owned_places;
 }
