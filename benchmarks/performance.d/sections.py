@@ -20,7 +20,6 @@ ANEW = {"Solver/Method": "direct", "Division/Solve": "every row anew"}
 FACTORED = {"Division/Solve": "one factorization"}
 GROWING = {"Division/Solve": "condensed"}
 ITERATIVE = {"Division/Solve": "iterative"}
-AT_FRONT = {**FACTORED, "Output/Statistics": "front"}
 
 
 def decks(scene, values, directory):
@@ -116,7 +115,6 @@ def whole_cut(n=20):
     rows = [["one uncut factorization and solve", "", 1, f"{one['memory']:.0f}"]]
     results = {}
     for name, values in (("one factorization", FACTORED),
-                         ("one factorization, rows at their front only", AT_FRONT),
                          ("condensed", GROWING), ("iterative", ITERATIVE)):
         def run():
             result = program(measure.CUBE, {**cube(n), **values})
@@ -199,11 +197,10 @@ def one_event(n, values):
 
 def events():
     """The time of one row in small scenes, once the cut is prepared."""
-    rows = [[f"{n}^3", *(number(remembered(f"event {n}, {name}",
-                                           lambda: one_event(n, values)))
-                         for name, values in (("whole", FACTORED), ("front", AT_FRONT)))]
+    rows = [[f"{n}^3", number(remembered(f"event {n}, whole",
+                                         lambda: one_event(n, FACTORED)))]
             for n in (4, 6, 8)]
-    return table(["elements", "one row [ms, median]", "at its front only"], rows)
+    return table(["elements", "one row [ms, median]"], rows)
 
 
 def hard_bodies(n=12):

@@ -63,18 +63,6 @@ OutputParameters::declare(ParameterHandler &handler)
                     "Write every solved state as an input deck of CalculiX "
                     "too, which solves it again, and its displacements as a "
                     "table with the deck's numbers of nodes.");
-  Setsudan::declare(
-    handler,
-    "Output",
-    "Statistics",
-    "whole body",
-    Patterns::Selection("whole body|front"),
-    "What statistics.csv says of a row of which nothing else is "
-    "written: of the whole body, all; of the front, its depth, "
-    "forces and stress, while columns of energy, strain, "
-    "balance and supports stay empty, and the rest of the body "
-    "is not computed where all rows are solved from one "
-    "factorization.");
   Setsudan::declare(handler,
                     "Output",
                     "Units",
@@ -110,7 +98,6 @@ OutputParameters::OutputParameters(const Parameters &parameters)
   : directory(parameters.text("Output", "Directory"))
   , node_tables(parameters.truth("Output", "Node tables"))
   , calculix_decks(parameters.truth("Output", "CalculiX decks"))
-  , front_only(parameters.text("Output", "Statistics") == "front")
   , pieces_deformed(parameters.text("Output", "Piece shape") == "deformed")
 {
   const std::string name = parameters.text("Output", "Frames");

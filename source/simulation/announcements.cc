@@ -108,21 +108,12 @@ std::string
 describe_solve(const Scene<dim> &scene, const CutBody<dim> &body)
 {
   const std::string why_anew = body.why_anew();
-  std::string line           = "  every row is solved anew, " + why_anew;
-  if (why_anew.empty())
-    line = std::string("  all rows are solved from one factorization, "
-                       "condensed onto the cut, ") +
-           (body.is_foreseen() ? "in the order in which they split"
-                               : "which grows as they split");
-  if (!scene.output.front_only)
-    return line + ".";
   if (!why_anew.empty())
-    return line + ", and known in the whole body.";
-  const std::string why = why_whole(scene, body);
-  return line + (why.empty()
-                   ? "; between the first and the last they are "
-                     "computed at their front only."
-                   : "; they are known in the whole body, " + why + ".");
+    return "  every row is solved anew, " + why_anew + ".";
+  return std::string("  all rows are solved from one factorization, condensed "
+                     "onto the cut, ") +
+         (body.is_foreseen() ? "in the order in which they split."
+                             : "which grows as they split.");
 }
 
 

@@ -75,9 +75,6 @@ describe_state(const Scene<dim> &scene,
       force.force *= state.load_factor;
       event.blade_force += force.force * body.cut().edge.direction;
     }
-  event.is_whole = state.is_whole;
-  if (!state.is_whole)
-    return {};
   event.strain_energy = 0.5 * (state.displacement * state.internal);
   event.potential_energy =
     event.strain_energy - state.forces * state.displacement;

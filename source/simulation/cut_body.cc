@@ -203,25 +203,6 @@ CutBody<dim>::other_states()
 
 
 template <int dim>
-std::optional<LA::Vector>
-CutBody<dim>::displacement_near_front(const unsigned int row,
-                                      const LA::Vector &forces,
-                                      const LA::Vector &prescribed)
-{
-  const auto all_states =
-    choice.all_states(*model, &seam(), all_held(), other_states());
-  if (!all_states || !all_held())
-    return {};
-  const auto near = unknowns_near_front(
-    *model, seam(), seam_cells(), seam().rows()[row], scene.yield);
-  // As many rows have split as come before this one.
-  return all_states->solve_partly(
-    row, forces, prescribed, all_states->steps_for(near));
-}
-
-
-
-template <int dim>
 void
 CutBody<dim>::for_each_row_to_come(
   const std::function<void(const AffineConstraints<double> &)> &visit)

@@ -79,7 +79,6 @@ Recorder<dim>::doubt(const Event &event,
 {
   if (!state.quality.warning.empty())
     progress.warn(state.quality.warning);
-  // What is known at the front only has no extremes, and no overlap.
   bool is_doubtful     = false;
   const auto doubt_for = [&](unsigned int Doubts::*const reason,
                              const bool holds,
@@ -93,9 +92,9 @@ Recorder<dim>::doubt(const Event &event,
     ++(warned.*reason);
   };
   doubt_for(&Doubts::strain,
-            state.is_whole && event.max_strain > scene.material.linear_range,
+            event.max_strain > scene.material.linear_range,
             [&] { return warn_of_strain(event, scene.material.linear_range); });
-  doubt_for(&Doubts::jacobian, state.is_whole && event.min_jacobian <= 0, [&] {
+  doubt_for(&Doubts::jacobian, event.min_jacobian <= 0, [&] {
     return warn_of_jacobian(event);
   });
   // Less is round-off, or nothing that a picture shows.

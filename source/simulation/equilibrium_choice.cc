@@ -114,12 +114,11 @@ EquilibriumChoice<dim>::condense(ElasticModel<dim> &model,
     model,
     std::make_shared<const Constraints>(others.without_seam()),
     seam.coupled_indices(model.discretization.dof_handler.n_dofs()));
-  const bool is_factored = is_foreseen(all_held);
-  if (is_factored || (all_held && scene.output.front_only))
-    others.for_each_row(
-      [&](const Constraints &later) { condensed->append_stage(later); });
-  if (is_factored)
-    condensed->factorize_foreseen();
+  if (!is_foreseen(all_held))
+    return;
+  others.for_each_row(
+    [&](const Constraints &later) { condensed->append_stage(later); });
+  condensed->factorize_foreseen();
 }
 
 

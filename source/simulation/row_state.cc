@@ -17,27 +17,6 @@ is_judged(const Scene<dim> &scene, const unsigned int row)
 
 
 template <int dim>
-std::string
-why_whole(const Scene<dim> &scene, const CutBody<dim> &body)
-{
-  const auto &output = scene.output;
-  if (output.frames == OutputParameters::Frames::every_row ||
-      output.node_tables || output.calculix_decks)
-    return "since each is written";
-  if (scene.accuracy.estimate)
-    return "since their errors are estimated";
-  if (scene.yield.needs_seam())
-    return "since Yield/Criterion looks at all of it";
-  if (!body.all_held())
-    return "since pieces may come loose";
-  if (!body.why_anew().empty())
-    return "since every row is solved anew";
-  return "";
-}
-
-
-
-template <int dim>
 State<dim>
 solve_ramp(const Scene<dim> &scene,
            CutBody<dim> &body,
@@ -89,68 +68,18 @@ judge(const Scene<dim> &scene,
 
 
 
-namespace
-{
-/** The state near the front of the row that the blade stands on, or nothing
- * where that takes a solve for the whole body. */
-template <int dim>
-std::optional<State<dim>>
-solve_near_front(const Scene<dim> &scene,
-                 CutBody<dim> &body,
-                 const BladeLoad<dim> &blade,
-                 const double load_factor)
-{
-  State<dim> state  = loaded_state(scene, body, blade, load_factor);
-  auto displacement = body.displacement_near_front(
-    *blade.row, state.forces, prescribed_displacement(body, state));
-  if (!displacement)
-    return {};
-  state.displacement = std::move(*displacement);
-  state.is_whole     = false;
-  return state;
-}
-} // namespace
-
-
 template <int dim>
 State<dim>
 solve_row(const Scene<dim> &scene,
           CutBody<dim> &body,
           const BladeLoad<dim> &blade,
           const double load_factor,
-          const LA::Vector &guess,
-          const bool front_is_enough)
+          const LA::Vector &guess)
 {
   const unsigned int row = *blade.row;
-  const auto judged      = [&](State<dim> &&state) {
-    judge(scene, body, row, state);
-    state.yields = state.yields || !is_judged(scene, row);
-    return std::move(state);
-  };
-  if (front_is_enough)
-    if (auto near = solve_near_front(scene, body, blade, load_factor))
-      {
-        auto state = judged(std::move(*near));
-        // Where the cut ends the whole body is shown.
-        if (state.yields)
-          return state;
-      }
-  return judged(solve_state(scene, body, blade, load_factor, guess));
-}
-
-
-
-template <int dim>
-State<dim>
-whole_state(const Scene<dim> &scene,
-            CutBody<dim> &body,
-            const BladeLoad<dim> &blade,
-            const State<dim> &near)
-{
-  State<dim> state =
-    solve_state(scene, body, blade, near.load_factor, near.displacement);
-  state.stress = near.stress;
-  state.yields = near.yields;
+  State<dim> state       = solve_state(scene, body, blade, load_factor, guess);
+  judge(scene, body, row, state);
+  state.yields = state.yields || !is_judged(scene, row);
   return state;
 }
 
@@ -158,8 +87,6 @@ whole_state(const Scene<dim> &scene,
 
 template bool
 is_judged(const Scene<2> &, const unsigned int);
-template std::string
-why_whole(const Scene<2> &, const CutBody<2> &);
 template State<2>
 solve_ramp(const Scene<2> &,
            CutBody<2> &,
@@ -172,17 +99,9 @@ solve_row(const Scene<2> &,
           CutBody<2> &,
           const BladeLoad<2> &,
           const double,
-          const LA::Vector &,
-          const bool);
-template State<2>
-whole_state(const Scene<2> &,
-            CutBody<2> &,
-            const BladeLoad<2> &,
-            const State<2> &);
+          const LA::Vector &);
 template bool
 is_judged(const Scene<3> &, const unsigned int);
-template std::string
-why_whole(const Scene<3> &, const CutBody<3> &);
 template State<3>
 solve_ramp(const Scene<3> &,
            CutBody<3> &,
@@ -195,11 +114,5 @@ solve_row(const Scene<3> &,
           CutBody<3> &,
           const BladeLoad<3> &,
           const double,
-          const LA::Vector &,
-          const bool);
-template State<3>
-whole_state(const Scene<3> &,
-            CutBody<3> &,
-            const BladeLoad<3> &,
-            const State<3> &);
+          const LA::Vector &);
 } // namespace Setsudan

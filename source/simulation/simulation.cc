@@ -151,7 +151,6 @@ Simulation<dim>::reach(const Checkpoint::Stage stage)
   const bool stops = interrupted(body.communicator);
   if (checkpoints.keeps() && (stops || checkpoints.is_due()))
     {
-      make_whole();
       Checkpoint reached;
       reached.stage      = stage;
       reached.n_frames   = n_frames;
@@ -168,19 +167,6 @@ Simulation<dim>::reach(const Checkpoint::Stage stage)
       (checkpoints.keeps() ? "; with --resume it goes on from there."
                            : "; Output/Checkpoint = none leaves nothing to "
                              "resume from."));
-}
-
-
-
-template <int dim>
-void
-Simulation<dim>::make_whole()
-{
-  if (state.is_whole)
-    return;
-  const auto blade = blade_on_row(body, event.row);
-  state            = whole_state(scene, body, blade, state);
-  describe_state(scene, body, blade, state, event);
 }
 
 
@@ -255,13 +241,10 @@ Simulation<dim>::deform(const unsigned int row)
   else
     {
       // A cut that runs through does so at the load that opened it.
-      accept(solve_row(scene,
-                       body,
-                       blade,
-                       ramp ? state.load_factor : 1,
-                       state.displacement,
-                       front_is_enough(row)),
-             blade);
+      accept(
+        solve_row(
+          scene, body, blade, ramp ? state.load_factor : 1, state.displacement),
+        blade);
     }
 
   if (row > 0)
@@ -278,19 +261,6 @@ Simulation<dim>::deform(const unsigned int row)
                        row == 0 || row + 1 == body.seam().rows().size() ||
                          !state.yields);
   reach(Checkpoint::Stage::row);
-}
-
-
-
-template <int dim>
-bool
-Simulation<dim>::front_is_enough(const unsigned int row) const
-{
-  // The first row and the last are stages, of which more is written.
-  return scene.output.front_only && row > 0 &&
-         row + 1 < body.seam().rows().size() &&
-         why_whole(scene, body).empty() &&
-         !(checkpoints.keeps() && checkpoints.is_due());
 }
 
 
@@ -416,11 +386,9 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
         {error.energy.relative_energy, error.cutting_stress}};
       new_state.error_squares = error.energy.squares;
     }
-  // Of all states since the last whole one: each split can only lower it.
-  if (event.released_rows > 0 && new_state.is_whole)
-    check_energy_of_split(body, state.is_whole ? state : last_whole, new_state);
-  if (state.is_whole && !new_state.is_whole)
-    last_whole = std::move(state);
+  // Each split can only lower it.
+  if (event.released_rows > 0)
+    check_energy_of_split(body, state, new_state);
   state = std::move(new_state);
   recorder.doubt(event, state, overlap);
 }

@@ -76,17 +76,6 @@ add(Statistics &statistics,
 }
 
 
-/** What is known at the front only leaves the rest empty. */
-void
-test_front(Statistics &statistics, const OutputDirectory &directory)
-{
-  Event event    = numbered_event();
-  event.is_whole = false;
-  add(statistics, event, directory);
-  std::cout << read_lines().back() << std::endl;
-}
-
-
 void
 test_columns(const std::vector<std::string> &lines)
 {
@@ -175,7 +164,6 @@ main(int argc, char **argv)
     test_pieces(statistics, directory);
     std::cout << read_lines().size() << " lines" << std::endl;
     test_columns(read_lines());
-    test_front(statistics, directory);
     test_units(directory);
   });
 }

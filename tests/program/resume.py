@@ -38,20 +38,6 @@ SCENE = {
 }
 
 
-# Many fast rows of which nothing is written.
-FRONT = {
-    "Body/Elements": "3, 4, 32",
-    "Cut/Surfaces": "y:2",
-    "Blade/Direction": "0, 0, -1",
-    "Support/Loose pieces": "hold",
-    "Division/Solve": "one factorization",
-    "Output/Statistics": "front",
-    "Output/Frames": "stages",
-    "Output/Node tables": "false",
-    "Output/Checkpoint": "auto",
-}
-
-
 SCENES = pathlib.Path(__file__).resolve().parents[1] / "scenes"
 # What carries most from one state to the next: multigrid, a ramp of the load, seams
 # made before the yield, refinement for a target, curved elements of two materials.
@@ -226,44 +212,6 @@ def check_last_event(runs, options, seconds):
     raise Failure("no run was stopped")
 
 
-def front(runs, n_tries):
-    """Rows that are known at their front only: what the run is stopped at is made
-    whole, and the rest is as it was."""
-    options = [word for name, value in FRONT.items()
-               for word in ("--set", f"{name}={value}")]
-    expected = runs.new_directory()
-    begin = time.monotonic()
-    runs.finish(runs.start(expected, *options))
-    seconds = time.monotonic() - begin
-    n_at_front = 0
-    for i in range(n_tries):
-        output = runs.new_directory()
-        stopped = stop_after(runs.start(output, *options),
-                             (0.5 + 0.5 * i / n_tries) * seconds, signal.SIGINT)
-        stopped.communicate(timeout=120)
-        if stopped.returncode == 0:
-            continue
-        runs.finish(runs.start(output, "--resume", *options))
-        for path in results(expected):
-            if path.suffix not in (".vtu", ".msh"):
-                continue
-            if path.read_bytes() != (output / path.name).read_bytes():
-                raise Failure(f"{path.name} differs")
-        lines, others = (read(directory / "statistics.csv")
-                         for directory in (expected, output))
-        if len(lines) != len(others):
-            raise Failure(f"{len(others)} events instead of {len(lines)}")
-        for line, other in zip(lines, others):
-            n_at_front += other["strain_energy"] != line["strain_energy"]
-            for name in ("event", "row", "depth", "cutting_stress", "pieces"):
-                if line[name] != other[name]:
-                    raise Failure(f"{name} differs in row {line['row']}")
-    check_last_event(runs, options, seconds)
-    if n_at_front == 0:
-        raise Failure("no run was stopped at a row known at its front only")
-    return "resumed at rows known at their front only"
-
-
 def full_disk(runs, n_tries):
     """No file may become larger than a limit: each of them comes to its turn."""
     sizes = sorted({path.stat().st_size for path in results(runs.expected)})
@@ -317,7 +265,6 @@ GROUPS = {
     "kill_processes": (kill, 6),
     "all_kinds": (all_kinds, 3),
     "interrupt": (interrupt, 8),
-    "front": (front, 6),
     "full_disk": (full_disk, 8),
     "refusals": (refusals, 1),
 }

@@ -42,9 +42,6 @@ struct OutputParameters
   Units units;
   bool node_tables;
   bool calculix_decks;
-  /** Whether rows of which nothing else is written have only what the front
-   * needs in statistics.csv. */
-  bool front_only;
   /** How often the run makes a checkpoint, from which it can be resumed. */
   enum class Checkpoint
   {

@@ -8,7 +8,6 @@
 #include <setsudan/simulation/equilibrium_choice.h>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace Setsudan
@@ -83,18 +82,6 @@ public:
    * next call, for others. */
   std::shared_ptr<TangentSolver>
   equilibrium();
-
-  /**
-   * The displacement in the cells that decide whether a row yields, while it is
-   * the next to split; what it is elsewhere is of no use. Nothing where there
-   * is no less work to find only that.
-   *
-   * @param forces, prescribed as in TangentSolver::solve().
-   */
-  std::optional<LA::Vector>
-  displacement_near_front(const unsigned int row,
-                          const LA::Vector &forces,
-                          const LA::Vector &prescribed);
 
   /** Why the rows of the newest cut are not all solved from one factorization,
    * in words that follow "every row is solved anew"; empty where they are. */

@@ -66,14 +66,6 @@ private:
   void
   deform(const unsigned int row);
 
-  /** Whether nobody looks at more of a row than its front. */
-  bool
-  front_is_enough(const unsigned int row) const;
-
-  /** Find the rest of a state that is known near the front only. */
-  void
-  make_whole();
-
   bool
   row_yields(const unsigned int row);
 
@@ -107,8 +99,6 @@ private:
   CheckpointSchedule checkpoints;
   CutBody<dim> body;
   State<dim> state;
-  /** The last one that was known in the whole body, if `state` is not. */
-  State<dim> last_whole;
   Event event;
   unsigned int n_frames = 1;
 };

@@ -51,9 +51,6 @@ struct State
   bool yields = false;
   /** The error of each cell, where it is estimated (see ErrorEstimate). */
   dealii::Vector<double> error_squares = {};
-  /** Whether it is known in the whole body, or only near the front: then there
-   * is no K u, and the displacement is of no use elsewhere. */
-  bool is_whole = true;
 };
 
 /** What the supports and the opening of the cut prescribe. */

@@ -98,33 +98,6 @@ front_stresses(const ElasticModel<dim> &model,
 
 
 
-template <int dim>
-std::vector<unsigned int>
-unknowns_near_front(const ElasticModel<dim> &model,
-                    const Seam<dim> &seam,
-                    const SeamCells<dim> &cells,
-                    const Row &row,
-                    const YieldParameters &yield)
-{
-  std::vector<typename Discretization<dim>::Cell> near;
-  if (yield.criterion == YieldParameters::Criterion::mean_shear)
-    near = cells_near_zones(model, positions(seam, row), yield.process_zone);
-  else
-    for (const auto &at : cells.at_front(row))
-      near.push_back(at.cell);
-  std::vector<unsigned int> unknowns;
-  std::vector<types::global_dof_index> indices(
-    model.discretization.fe.n_dofs_per_cell());
-  for (const auto &cell : near)
-    {
-      cell->get_dof_indices(indices);
-      unknowns.insert(unknowns.end(), indices.begin(), indices.end());
-    }
-  return unknowns;
-}
-
-
-
 template FrontStresses
 front_stresses(const ElasticModel<2> &,
                const Seam<2> &,
@@ -133,12 +106,6 @@ front_stresses(const ElasticModel<2> &,
                const YieldParameters &,
                const LA::Vector &,
                const RecoveredStress<2> *);
-template std::vector<unsigned int>
-unknowns_near_front(const ElasticModel<2> &,
-                    const Seam<2> &,
-                    const SeamCells<2> &,
-                    const Row &,
-                    const YieldParameters &);
 template FrontStresses
 front_stresses(const ElasticModel<3> &,
                const Seam<3> &,
@@ -147,10 +114,4 @@ front_stresses(const ElasticModel<3> &,
                const YieldParameters &,
                const LA::Vector &,
                const RecoveredStress<3> *);
-template std::vector<unsigned int>
-unknowns_near_front(const ElasticModel<3> &,
-                    const Seam<3> &,
-                    const SeamCells<3> &,
-                    const Row &,
-                    const YieldParameters &);
 } // namespace Setsudan

@@ -91,23 +91,6 @@ check_zones(const FrontStresses &stresses, const MPI_Comm communicator)
 
 
 template <int dim>
-std::vector<typename Discretization<dim>::Cell>
-cells_near_zones(const ElasticModel<dim> &model,
-                 const std::vector<Point<dim>> &centers,
-                 const double radius)
-{
-  std::vector<typename Discretization<dim>::Cell> cells;
-  for (const auto &cell :
-       model.discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned() &&
-        !zones_near<dim>(cell, centers, radius).empty())
-      cells.push_back(cell);
-  return cells;
-}
-
-
-
-template <int dim>
 FrontStresses
 stresses_in_zones(const ElasticModel<dim> &model,
                   const std::vector<Point<dim>> &centers,
@@ -119,10 +102,14 @@ stresses_in_zones(const ElasticModel<dim> &model,
   RepeatedRules<dim> rules(model);
   FrontStresses stresses;
   stresses.n_zones = centers.size();
-  for (const auto &cell : cells_near_zones(model, centers, radius))
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     {
+      if (!cell->is_locally_owned())
+        continue;
       const auto zones = zones_near<dim>(cell, centers, radius);
-      auto &recovery   = rules.for_cell(cell->diameter(), radius);
+      if (zones.empty())
+        continue;
+      auto &recovery = rules.for_cell(cell->diameter(), radius);
       recovery.reinit(cell, displacement);
       const auto of_cell = stresses_of_cell(cell, recovery, recovered);
       const double shear_limit =
@@ -146,20 +133,12 @@ stresses_in_zones(const ElasticModel<dim> &model,
 
 
 
-template std::vector<Discretization<2>::Cell>
-cells_near_zones(const ElasticModel<2> &,
-                 const std::vector<Point<2>> &,
-                 const double);
 template FrontStresses
 stresses_in_zones(const ElasticModel<2> &,
                   const std::vector<Point<2>> &,
                   const double,
                   const LA::Vector &,
                   const RecoveredStress<2> *);
-template std::vector<Discretization<3>::Cell>
-cells_near_zones(const ElasticModel<3> &,
-                 const std::vector<Point<3>> &,
-                 const double);
 template FrontStresses
 stresses_in_zones(const ElasticModel<3> &,
                   const std::vector<Point<3>> &,

@@ -49,8 +49,7 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
   if (columns.empty())
     columns = statistics_columns(has_errors);
   for (const auto &column : columns)
-    line += (line.empty() ? "" : ",") +
-            (event.is_whole || !column.is_of_body ? column.text(event) : "");
+    line += (line.empty() ? "" : ",") + column.text(event);
   table += line + "\n";
   is_written = false;
   // Where rows are fast, to write the table would take longer than they do.

@@ -27,10 +27,9 @@ column(const std::string &name,
        const std::string &unit,
        const std::string &meaning,
        Number Event::*const member,
-       const bool is_of_body = false,
-       const int precision   = all_digits)
+       const int precision = all_digits)
 {
-  return {name, unit, meaning, is_of_body, [=](const Event &event) {
+  return {name, unit, meaning, [=](const Event &event) {
             return digits_of(event.*member, precision);
           }};
 }
@@ -48,7 +47,6 @@ add_vector(const std::string &name,
       columns.push_back({name + "_" + axis,
                          "F",
                          meaning + " along " + axis + ".",
-                         true,
                          [=](const Event &event) {
                            return digits_of((event.*member)[c], all_digits);
                          }});
@@ -77,7 +75,6 @@ columns_of_cut()
     {"event",
      "-",
      "rest, deform, yield, release, arrest or divide: see below.",
-     false,
      [](const Event &event) { return event.name; }},
     column("cut", "-", "The cut, from 0.", &Event::cut),
     column(
@@ -120,58 +117,45 @@ columns_of_body()
     column("strain_energy",
            "F L",
            "The elastic energy of the body, u.Ku/2.",
-           &Event::strain_energy,
-           true),
+           &Event::strain_energy),
     column("potential_energy",
            "F L",
            "That minus the work of all loads at their present size, f.u.",
-           &Event::potential_energy,
-           true),
+           &Event::potential_energy),
     column("max_displacement",
            "L",
            "The largest displacement of a node.",
-           &Event::max_displacement,
-           true),
+           &Event::max_displacement),
     column(
       "force_residual",
       "-",
       "How far all forces on the body are from cancelling, over the sum of "
       "their sizes.",
       &Event::force_residual,
-      true,
       3),
     column("moment_residual",
            "-",
            "The same of their moments, over that sum times the body's length.",
            &Event::moment_residual,
-           true,
            3),
     column("min_jacobian",
            "-",
            "The smallest determinant of the deformation gradient at nodes and "
            "Gauss points: 1 undeformed, 0 or less where an element is turned "
            "inside out.",
-           &Event::min_jacobian,
-           true),
+           &Event::min_jacobian),
     column("pieces", "-", "The separate bodies there are.", &Event::pieces),
-    column("seconds",
-           "s",
-           "The time since the run began.",
-           &Event::seconds,
-           false,
-           4),
+    column("seconds", "s", "The time since the run began.", &Event::seconds, 4),
     column("max_strain",
            "-",
            "The largest principal strain, in magnitude, at a Gauss point.",
-           &Event::max_strain,
-           true),
+           &Event::max_strain),
     column("max_shear",
            "F/L^2",
            "The largest maximum shear (s1 - s3)/2 at a Gauss point of the "
            "whole body: unlike cutting_stress not at nodes, where it is "
            "singular under the blade.",
-           &Event::max_shear,
-           true)};
+           &Event::max_shear)};
 }
 } // namespace
 
@@ -196,13 +180,11 @@ statistics_columns(const bool has_errors)
                            "How far the walls of cuts have moved through each "
                            "other, at most; without contact nothing prevents "
                            "it.",
-                           &Event::overlap,
-                           true));
+                           &Event::overlap));
   columns.push_back({"row_pieces",
                      "-",
                      "The pieces in which the front of the row lies, joined by "
                      "'+'.",
-                     false,
                      pieces_of_row});
   if (has_errors)
     {
@@ -211,13 +193,11 @@ statistics_columns(const bool has_errors)
          "-",
          "The estimated relative error of the strain energy; "
          "with Accuracy/Estimate.",
-         true,
          [](const Event &event) { return digits_of((*event.errors)[0], 4); }});
       columns.push_back(
         {"stress_error",
          "-",
          "That of cutting_stress.",
-         true,
          [](const Event &event) { return digits_of((*event.errors)[1], 4); }});
     }
   return columns;

@@ -92,20 +92,6 @@ CondensedSolver<dim>::factorize_foreseen()
 
 
 template <int dim>
-StaticCondensation::Steps
-CondensedSolver<dim>::steps_for(const std::vector<unsigned int> &unknowns) const
-{
-  auto wanted = unknowns;
-  for (const unsigned int unknown : unknowns)
-    if (const auto *entries = base->get_constraint_entries(unknown))
-      for (const auto &[index, weight] : *entries)
-        wanted.push_back(index);
-  return condensation->steps_for(wanted);
-}
-
-
-
-template <int dim>
 double
 CondensedSolver<dim>::memory(const unsigned int n)
 {
@@ -146,8 +132,7 @@ template <int dim>
 LA::Vector
 CondensedSolver<dim>::solve_for(const LA::Vector &b,
                                 const std::vector<double> &opening,
-                                const bool is_remembered,
-                                const StaticCondensation::Steps *wanted)
+                                const bool is_remembered)
 {
   auto eliminated = forward_eliminate(b, is_remembered);
   if (!opening.empty())
@@ -162,7 +147,7 @@ CondensedSolver<dim>::solve_for(const LA::Vector &b,
     for (unsigned int i = 0; i < cut.size(); ++i)
       of_cut[i] += opening[i];
   LA::Vector x = b;
-  condensation->back_substitute(std::move(eliminated), of_cut, x, wanted);
+  condensation->back_substitute(std::move(eliminated), of_cut, x);
   distribute(*base, x);
   return x;
 }
@@ -202,25 +187,6 @@ CondensedSolver<dim>::loads_beside(const LA::Vector &forces,
   LA::Vector loads = forces;
   loads -= forces_of_beyond;
   return loads;
-}
-
-
-
-template <int dim>
-std::optional<LA::Vector>
-CondensedSolver<dim>::solve_partly(const unsigned int step_number,
-                                   const LA::Vector &forces,
-                                   const LA::Vector &prescribed,
-                                   const StaticCondensation::Steps &wanted)
-{
-  if (!reduced->activate_stage(step_number))
-    return {};
-  LA::Vector beyond_cut = prescribed;
-  const auto opening    = take_opening(beyond_cut);
-  const auto loads      = loads_beside(forces, beyond_cut);
-  LA::Vector x = solve_for(condense(*base, loads), opening, true, &wanted);
-  x += beyond_cut;
-  return x;
 }
 
 

@@ -128,22 +128,10 @@ StaticCondensation::forward_eliminate(const LA::Vector &loads) const
 
 
 
-StaticCondensation::Steps
-StaticCondensation::steps_for(const std::vector<unsigned int> &unknowns) const
-{
-  Steps steps;
-  for (const auto &part : parts)
-    steps.push_back(part.factor->steps_for(unknowns));
-  return steps;
-}
-
-
-
 void
 StaticCondensation::back_substitute(Eliminated loads,
                                     const std::vector<double> &of_cut,
-                                    LA::Vector &x,
-                                    const Steps *steps) const
+                                    LA::Vector &x) const
 {
   for_each_part(parts.size(), is_large, [&](const unsigned int p) {
     auto &ordered    = loads.of_parts[p];
@@ -151,10 +139,7 @@ StaticCondensation::back_substitute(Eliminated loads,
     const auto last  = ordered.end() - part.of_cut.size();
     for (unsigned int i = 0; i < part.of_cut.size(); ++i)
       last[i] = of_cut[part.of_cut[i]];
-    if (steps)
-      part.factor->back_substitute(ordered, (*steps)[p]);
-    else
-      part.factor->back_substitute(ordered);
+    part.factor->back_substitute(ordered);
     part.factor->from_order(ordered, x);
   });
 }

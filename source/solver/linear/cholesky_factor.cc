@@ -224,68 +224,17 @@ CholeskyFactor::forward_eliminate(std::vector<double> &x) const
 
 
 void
-CholeskyFactor::recover_supernode(const unsigned int number,
-                                  std::vector<double> &x,
-                                  std::vector<double> &below) const
-{
-  const Supernode node(*workspace->factor, number);
-  const int end = order.size() - n_at_end;
-  if (node.first < end)
-    solve_upper(node, std::min(node.n_columns, end - node.first), x, below);
-}
-
-
-
-void
 CholeskyFactor::back_substitute(std::vector<double> &x) const
 {
-  std::vector<double> below(order.size());
-  for (unsigned int s = workspace->factor->nsuper; s-- > 0;)
-    recover_supernode(s, x, below);
-}
-
-
-
-CholeskyFactor::Steps
-CholeskyFactor::steps_for(const std::vector<unsigned int> &wanted) const
-{
   const cholmod_factor &factor = *workspace->factor;
-  const auto *const firsts     = static_cast<const int *>(factor.super);
-  std::vector<bool> is_taken(factor.nsuper, false);
-  for (const unsigned int unknown : wanted)
-    {
-      // A column depends on those of the rows below its diagonal, which are all
-      // on the way to the root: each supernode's first row below is its parent.
-      int column = place[unknown];
-      while (column >= 0)
-        {
-          const unsigned int s =
-            std::upper_bound(firsts, firsts + factor.nsuper, column) - firsts -
-            1;
-          if (is_taken[s])
-            break;
-          is_taken[s] = true;
-          const Supernode node(factor, s);
-          column =
-            node.n_columns < node.n_rows ? node.rows[node.n_columns] : -1;
-        }
-    }
-  Steps steps;
-  for (unsigned int s = factor.nsuper; s-- > 0;)
-    if (is_taken[s])
-      steps.push_back(s);
-  return steps;
-}
-
-
-
-void
-CholeskyFactor::back_substitute(std::vector<double> &x,
-                                const Steps &steps) const
-{
+  const int end                = order.size() - n_at_end;
   std::vector<double> below(order.size());
-  for (const unsigned int s : steps)
-    recover_supernode(s, x, below);
+  for (unsigned int s = factor.nsuper; s-- > 0;)
+    {
+      const Supernode node(factor, s);
+      if (node.first < end)
+        solve_upper(node, std::min(node.n_columns, end - node.first), x, below);
+    }
 }
 
 

@@ -50,13 +50,4 @@ front_stresses(const ElasticModel<dim> &model,
                const LA::Vector &displacement,
                const RecoveredStress<dim> *recovered = nullptr);
 
-/** The unknowns of this process's cells that front_stresses() looks at; some
- * are named more than once. */
-template <int dim>
-std::vector<unsigned int>
-unknowns_near_front(const ElasticModel<dim> &model,
-                    const Seam<dim> &seam,
-                    const SeamCells<dim> &cells,
-                    const Row &row,
-                    const YieldParameters &yield);
 } // namespace Setsudan

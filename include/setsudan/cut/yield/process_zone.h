@@ -27,11 +27,4 @@ stresses_in_zones(const ElasticModel<dim> &model,
                   const double radius,
                   const LA::Vector &displacement,
                   const RecoveredStress<dim> *recovered = nullptr);
-
-/** The cells of this process that may reach into such balls. */
-template <int dim>
-std::vector<typename Discretization<dim>::Cell>
-cells_near_zones(const ElasticModel<dim> &model,
-                 const std::vector<dealii::Point<dim>> &centers,
-                 const double radius);
 } // namespace Setsudan

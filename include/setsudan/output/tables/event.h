@@ -48,8 +48,5 @@ struct Event
   double overlap = 0;
   /** The pieces in which the row's front lies, as they were before this cut. */
   std::vector<unsigned int> row_pieces = {0};
-  /** Whether there is more than the depth, the load factor, the stresses and
-   * the forces of the blade; the columns of the rest are empty where not. */
-  bool is_whole = true;
 };
 } // namespace Setsudan

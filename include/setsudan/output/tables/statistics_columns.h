@@ -17,8 +17,6 @@ struct StatisticsColumn
    * seconds, and - a number without unit. */
   std::string unit;
   std::string meaning;
-  /** Whether it is empty where only the front of a row is known. */
-  bool is_of_body;
   std::function<std::string(const Event &)> text;
 };
 

@@ -6,7 +6,6 @@
 #include <setsudan/solver/tangent_solver.h>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace Setsudan
@@ -48,24 +47,6 @@ public:
   void
   factorize_foreseen();
 
-  /** What must be done to find some unknowns' displacement only. */
-  StaticCondensation::Steps
-  steps_for(const std::vector<unsigned int> &unknowns) const;
-
-  /**
-   * The displacement of some unknowns in a step that has been foreseen; what it
-   * has in others is of no use. There is no residual to judge it by.
-   *
-   * @param step   as in InterfaceSystem::activate_stage(); nothing is returned
-   * where there is none.
-   * @param wanted from steps_for().
-   */
-  std::optional<LA::Vector>
-  solve_partly(const unsigned int step,
-               const LA::Vector &forces,
-               const LA::Vector &prescribed,
-               const StaticCondensation::Steps &wanted);
-
   LA::Vector
   solve(const LA::Vector &forces,
         const LA::Vector &prescribed,
@@ -89,12 +70,11 @@ private:
    * displacement but for the `opening` the step.
    *
    * @param opening what the cut's unknowns have besides; nothing if it is zero.
-   * @param wanted  what is to be found; nothing for all of it. */
+   */
   LA::Vector
   solve_for(const LA::Vector &b,
             const std::vector<double> &opening,
-            const bool is_remembered,
-            const StaticCondensation::Steps *wanted = nullptr);
+            const bool is_remembered);
 
   /** The forces less what a displacement off the cut takes of them. */
   LA::Vector

@@ -40,19 +40,11 @@ public:
   Eliminated
   forward_eliminate(const LA::Vector &loads) const;
 
-  /** What must be done to recover some unknowns only. */
-  using Steps = std::vector<CholeskyFactor::Steps>;
-
-  Steps
-  steps_for(const std::vector<unsigned int> &unknowns) const;
-
-  /** The displacement x off the cut from that of the cut, and on it: of all
-   * unknowns, or of those that `steps` is for. */
+  /** The displacement x off the cut from that of the cut, and on it. */
   void
   back_substitute(Eliminated loads,
                   const std::vector<double> &of_cut,
-                  LA::Vector &x,
-                  const Steps *steps = nullptr) const;
+                  LA::Vector &x) const;
 
 private:
   struct Part

@@ -60,17 +60,6 @@ public:
   void
   back_substitute(std::vector<double> &x) const;
 
-  /** The steps of back_substitute() that some unknowns need. */
-  using Steps = std::vector<unsigned int>;
-
-  /** @param wanted unknowns, of which those of other parts are ignored. */
-  Steps
-  steps_for(const std::vector<unsigned int> &wanted) const;
-
-  /** Recover some unknowns; others get no values of use. */
-  void
-  back_substitute(std::vector<double> &x, const Steps &steps) const;
-
   /** L of the last unknowns, n_last x n_last by columns, 0 above the
    * diagonal. */
   std::vector<double>
@@ -78,12 +67,6 @@ public:
 
 private:
   struct Workspace;
-
-  /** Take a step of back_substitute(). */
-  void
-  recover_supernode(const unsigned int number,
-                    std::vector<double> &x,
-                    std::vector<double> &below) const;
 
   std::unique_ptr<Workspace> workspace;
   /** The unknown that is eliminated at each place. */
