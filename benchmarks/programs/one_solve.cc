@@ -12,7 +12,7 @@
 #include <deal.II/base/timer.h>
 
 #include <setsudan/kernel/blas.h>
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 #include <setsudan/solver/matrix_free_solver.h>
 
 #include <sys/resource.h>
@@ -78,7 +78,7 @@ make_equilibrium(const std::string &method, Problem &problem)
   if (method == "multigrid")
     return std::make_unique<MatrixFreeSolver<dim>>(
       model, model.supports, problem.solver);
-  return std::make_unique<Equilibrium<dim>>(
+  return std::make_unique<AssembledSolver<dim>>(
     model, model.supports, problem.solver);
 }
 

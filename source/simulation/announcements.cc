@@ -3,7 +3,7 @@
 #include <setsudan/body/joints.h>
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/row_state.h>
-#include <setsudan/solver/equilibrium_ladder.h>
+#include <setsudan/solver/fallback_solver.h>
 
 #include <algorithm>
 #include <map>
@@ -35,7 +35,7 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
   line << n_unknowns / dim << " nodes, " << n_unknowns << " unknowns on "
        << n_processes << (n_processes == 1 ? " process" : " processes")
        << ".\nSolver: "
-       << EquilibriumLadder<dim>::description(*body.model, scene.solver);
+       << FallbackSolver<dim>::description(*body.model, scene.solver);
   if (scene.solver.method == SolverParameters::Method::automatic)
     line << ", chosen because the unknowns "
          << (scene.solver.is_direct(n_unknowns) ? "do not exceed " : "exceed ")

@@ -2,7 +2,7 @@
 
 #include <setsudan/simulation/equilibrium_choice.h>
 #include <setsudan/solver/condensed/condensed_solver.h>
-#include <setsudan/solver/equilibrium_ladder.h>
+#include <setsudan/solver/fallback_solver.h>
 
 namespace Setsudan
 {
@@ -154,7 +154,7 @@ EquilibriumChoice<dim>::solver(ElasticModel<dim> &model,
   condensed.reset();
   learn_from_ladder();
   const bool keeps = n_split_rows % rows_per_preparation != 0;
-  ladder           = std::make_shared<EquilibriumLadder<dim>>(
+  ladder           = std::make_shared<FallbackSolver<dim>>(
     model, held, scene.solver, has_fallen_back, keeps ? ladder.get() : nullptr);
   return ladder;
 }

@@ -1,5 +1,5 @@
 #include <setsudan/simulation/judgement.h>
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 
 namespace Setsudan
 {

@@ -26,7 +26,7 @@ MatrixFreeSolver<dim>::MatrixFreeSolver(
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters,
   const MatrixFreeSolver<dim> *last)
-  : ConstrainedEquilibrium<dim>(model, constraints, parameters)
+  : ConstrainedSolver<dim>(model, constraints, parameters)
   , max_iterations(std::min(parameters.max_iterations, most_iterations))
   , tolerance(parameters.tolerance)
 {

@@ -2,7 +2,7 @@
 // materials one behind the other.
 
 #include <setsudan/material/material_parameters.h>
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +119,7 @@ test_bar()
   const auto &discretization = model.discretization;
   const LA::Vector zero      = discretization.zero_vector();
   const LA::Vector u         = discretization.with_ghosts(
-    Equilibrium<2>(model, model.supports, SolverParameters(parameters))
+    AssembledSolver<2>(model, model.supports, SolverParameters(parameters))
       .solve(model.loads, zero, zero));
 
   // Elements 0 and 1, 2, 3 and 4, 5 from left to right.

@@ -2,7 +2,7 @@
 // loads, and it tells by how much it is not where something is missing.
 
 #include <setsudan/mechanics/balance.h>
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 // some of its nodes, and compared in the L2 norm.
 #pragma once
 
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -101,7 +101,7 @@ private:
       }
     constraints.close();
     return discretization.with_ghosts(
-      Equilibrium<dim>(model, constraints, SolverParameters(parameters))
+      AssembledSolver<dim>(model, constraints, SolverParameters(parameters))
         .solve(model.loads, prescribed, prescribed));
   }
 

@@ -2,7 +2,7 @@
 // that its assignments ask for.
 #pragma once
 
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 
 #include "small_model.h"
 
@@ -55,7 +55,7 @@ private:
     constraints.merge(model.hanging);
     constraints.merge(model.supports);
     constraints.close();
-    return Equilibrium<dim>(model, constraints, solver_parameters)
+    return AssembledSolver<dim>(model, constraints, solver_parameters)
       .solve(model.loads, model.prescribed, model.discretization.zero_vector());
   }
 };

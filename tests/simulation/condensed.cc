@@ -4,8 +4,8 @@
 // again.
 
 #include <setsudan/simulation/state.h>
+#include <setsudan/solver/assembled_solver.h>
 #include <setsudan/solver/condensed/condensed_solver.h>
-#include <setsudan/solver/equilibrium.h>
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ difference(const Scene<dim> &scene,
   const State<dim> state = solve_state(scene, body, blade, 1, zero);
   const auto constraints = body.constraints();
   LA::Vector anew =
-    Equilibrium<dim>(*body.model, constraints, scene.solver)
+    AssembledSolver<dim>(*body.model, constraints, scene.solver)
       .solve(state.forces, prescribed_displacement(body, state), zero);
   anew -= state.displacement;
   return anew.linfty_norm() / state.displacement.linfty_norm();

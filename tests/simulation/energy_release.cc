@@ -94,7 +94,7 @@ test(const std::vector<SceneEntry> &more)
   const Response<dim> nothing{zero, zero, zero};
   const auto constraints = body.constraints();
   const Response<dim> per_load{
-    Equilibrium<dim>(*body.model, constraints, scene.solver)
+    AssembledSolver<dim>(*body.model, constraints, scene.solver)
       .solve(blade.nodal_forces, zero, zero),
     blade.nodal_forces,
     zero};

@@ -74,7 +74,8 @@ test_many_loads(const std::string &n_elements, const std::string &method)
                          "Solver/Tolerance=1e-12"});
   auto &model           = solved.model;
   const LA::Vector zero = model.discretization.zero_vector();
-  Equilibrium<3> equilibrium(model, model.supports, solved.solver_parameters);
+  AssembledSolver<3> equilibrium(
+    model, model.supports, solved.solver_parameters);
   LA::Vector twice = model.loads;
   twice *= 2;
   const LA::Vector first = equilibrium.solve(twice, zero, zero);

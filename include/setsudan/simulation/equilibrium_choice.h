@@ -14,7 +14,7 @@ namespace Setsudan
 template <int dim>
 class CondensedSolver;
 template <int dim>
-class EquilibriumLadder;
+class FallbackSolver;
 
 /** Chooses how the states of a cut are solved, and keeps what each state can
  * take over from the one before. */
@@ -103,6 +103,6 @@ private:
   bool has_fallen_back   = false;
   std::shared_ptr<CondensedSolver<dim>> condensed;
   /** The last one for a single state. */
-  std::shared_ptr<EquilibriumLadder<dim>> ladder;
+  std::shared_ptr<FallbackSolver<dim>> ladder;
 };
 } // namespace Setsudan

@@ -14,7 +14,7 @@ struct Response
   LA::Vector displacement;
   /** All nodal forces. */
   LA::Vector forces;
-  /** See Equilibrium::solve(). */
+  /** See AssembledSolver::solve(). */
   LA::Vector prescribed;
 };
 

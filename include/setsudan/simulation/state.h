@@ -4,7 +4,7 @@
 
 #include <setsudan/mechanics/balance.h>
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/mechanics/cell_batches.h>
-#include <setsudan/solver/constrained_equilibrium.h>
+#include <setsudan/solver/constrained_solver.h>
 
 #include <memory>
 
@@ -18,7 +18,7 @@ class CoarseCorrection;
 /** The equilibrium for one set of constraints without a matrix: conjugate
  * gradients, preconditioned by multigrid. */
 template <int dim>
-class MatrixFreeSolver : public ConstrainedEquilibrium<dim>
+class MatrixFreeSolver : public ConstrainedSolver<dim>
 {
 public:
   using Vector = typename CellBatches<dim>::Vector;
@@ -50,8 +50,8 @@ private:
   [[noreturn]] void
   fail() const;
 
-  using ConstrainedEquilibrium<dim>::accepted;
-  using ConstrainedEquilibrium<dim>::quality;
+  using ConstrainedSolver<dim>::accepted;
+  using ConstrainedSolver<dim>::quality;
 
   const unsigned int max_iterations;
   const double tolerance;

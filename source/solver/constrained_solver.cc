@@ -1,4 +1,4 @@
-#include <setsudan/solver/constrained_equilibrium.h>
+#include <setsudan/solver/constrained_solver.h>
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-ConstrainedEquilibrium<dim>::ConstrainedEquilibrium(
+ConstrainedSolver<dim>::ConstrainedSolver(
   ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters)
@@ -22,9 +22,9 @@ ConstrainedEquilibrium<dim>::ConstrainedEquilibrium(
 
 template <int dim>
 LA::Vector
-ConstrainedEquilibrium<dim>::solve(const LA::Vector &forces,
-                                   const LA::Vector &prescribed,
-                                   const LA::Vector &guess)
+ConstrainedSolver<dim>::solve(const LA::Vector &forces,
+                              const LA::Vector &prescribed,
+                              const LA::Vector &guess)
 {
   LA::Vector remaining = forces;
   remaining -= internal_forces(model, prescribed);
@@ -43,13 +43,13 @@ ConstrainedEquilibrium<dim>::solve(const LA::Vector &forces,
 
 template <int dim>
 SolveQuality
-ConstrainedEquilibrium<dim>::quality_of_last() const
+ConstrainedSolver<dim>::quality_of_last() const
 {
   return quality;
 }
 
 
 
-template class ConstrainedEquilibrium<2>;
-template class ConstrainedEquilibrium<3>;
+template class ConstrainedSolver<2>;
+template class ConstrainedSolver<3>;
 } // namespace Setsudan

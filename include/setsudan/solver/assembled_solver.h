@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/solver/constrained_equilibrium.h>
+#include <setsudan/solver/constrained_solver.h>
 #include <setsudan/solver/linear/linear_solver.h>
 
 namespace Setsudan
@@ -10,13 +10,13 @@ namespace Setsudan
  * prepared matrix, which any number of loads are solved with.
  */
 template <int dim>
-class Equilibrium : public ConstrainedEquilibrium<dim>
+class AssembledSolver : public ConstrainedSolver<dim>
 {
 public:
   /** As the base. */
-  Equilibrium(ElasticModel<dim> &model,
-              const dealii::AffineConstraints<double> &constraints,
-              const SolverParameters &parameters);
+  AssembledSolver(ElasticModel<dim> &model,
+                  const dealii::AffineConstraints<double> &constraints,
+                  const SolverParameters &parameters);
 
   /** The solver, in words. */
   std::string
@@ -31,10 +31,10 @@ private:
   [[noreturn]] void
   fail() const;
 
-  using ConstrainedEquilibrium<dim>::model;
-  using ConstrainedEquilibrium<dim>::constraints;
-  using ConstrainedEquilibrium<dim>::accepted;
-  using ConstrainedEquilibrium<dim>::quality;
+  using ConstrainedSolver<dim>::model;
+  using ConstrainedSolver<dim>::constraints;
+  using ConstrainedSolver<dim>::accepted;
+  using ConstrainedSolver<dim>::quality;
 
   LA::SparseMatrix matrix;
   /** Behind the matrix, which must outlive it. */

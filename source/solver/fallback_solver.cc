@@ -1,5 +1,5 @@
-#include <setsudan/solver/equilibrium.h>
-#include <setsudan/solver/equilibrium_ladder.h>
+#include <setsudan/solver/assembled_solver.h>
+#include <setsudan/solver/fallback_solver.h>
 #include <setsudan/solver/matrix_free_solver.h>
 
 namespace Setsudan
@@ -15,12 +15,11 @@ constexpr types::global_dof_index most_direct_unknowns = 400000;
 
 
 template <int dim>
-EquilibriumLadder<dim>::EquilibriumLadder(
-  ElasticModel<dim> &model,
-  std::shared_ptr<const Constraints> held,
-  const SolverParameters &parameters,
-  const bool has_fallen_back,
-  const EquilibriumLadder<dim> *last)
+FallbackSolver<dim>::FallbackSolver(ElasticModel<dim> &model,
+                                    std::shared_ptr<const Constraints> held,
+                                    const SolverParameters &parameters,
+                                    const bool has_fallen_back,
+                                    const FallbackSolver<dim> *last)
   : model(model)
   , constraints(std::move(held))
   , parameters(parameters)
@@ -39,13 +38,13 @@ EquilibriumLadder<dim>::EquilibriumLadder(
 
 
 template <int dim>
-EquilibriumLadder<dim>::~EquilibriumLadder() = default;
+FallbackSolver<dim>::~FallbackSolver() = default;
 
 
 template <int dim>
 bool
-EquilibriumLadder<dim>::is_matrix_free(const ElasticModel<dim> &model,
-                                       const SolverParameters &parameters)
+FallbackSolver<dim>::is_matrix_free(const ElasticModel<dim> &model,
+                                    const SolverParameters &parameters)
 {
   return !parameters.is_direct(model.discretization.dof_handler.n_dofs()) &&
          model.discretization.type != ElementType::linear;
@@ -55,22 +54,22 @@ EquilibriumLadder<dim>::is_matrix_free(const ElasticModel<dim> &model,
 
 template <int dim>
 void
-EquilibriumLadder<dim>::assemble()
+FallbackSolver<dim>::assemble()
 {
   if (fell_back &&
       model.discretization.dof_handler.n_dofs() <= most_direct_unknowns)
     parameters.method = SolverParameters::Method::direct;
   assembled =
-    std::make_unique<Equilibrium<dim>>(model, *constraints, parameters);
+    std::make_unique<AssembledSolver<dim>>(model, *constraints, parameters);
 }
 
 
 
 template <int dim>
 LA::Vector
-EquilibriumLadder<dim>::solve(const LA::Vector &forces,
-                              const LA::Vector &prescribed,
-                              const LA::Vector &guess)
+FallbackSolver<dim>::solve(const LA::Vector &forces,
+                           const LA::Vector &prescribed,
+                           const LA::Vector &guess)
 {
   if (multigrid)
     try
@@ -98,7 +97,7 @@ EquilibriumLadder<dim>::solve(const LA::Vector &forces,
 
 template <int dim>
 SolveQuality
-EquilibriumLadder<dim>::quality_of_last() const
+FallbackSolver<dim>::quality_of_last() const
 {
   return quality;
 }
@@ -107,7 +106,7 @@ EquilibriumLadder<dim>::quality_of_last() const
 
 template <int dim>
 bool
-EquilibriumLadder<dim>::has_fallen_back() const
+FallbackSolver<dim>::has_fallen_back() const
 {
   return fell_back;
 }
@@ -116,8 +115,8 @@ EquilibriumLadder<dim>::has_fallen_back() const
 
 template <int dim>
 std::string
-EquilibriumLadder<dim>::description(const ElasticModel<dim> &model,
-                                    const SolverParameters &parameters)
+FallbackSolver<dim>::description(const ElasticModel<dim> &model,
+                                 const SolverParameters &parameters)
 {
   if (is_matrix_free(model, parameters))
     return "iterative (conjugate gradients with multigrid, without a matrix)";
@@ -129,6 +128,6 @@ EquilibriumLadder<dim>::description(const ElasticModel<dim> &model,
 
 
 
-template class EquilibriumLadder<2>;
-template class EquilibriumLadder<3>;
+template class FallbackSolver<2>;
+template class FallbackSolver<3>;
 } // namespace Setsudan

@@ -1,4 +1,4 @@
-#include <setsudan/solver/equilibrium.h>
+#include <setsudan/solver/assembled_solver.h>
 #include <setsudan/space/near_null_space.h>
 
 #include <algorithm>
@@ -10,10 +10,11 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
-                              const AffineConstraints<double> &constraints,
-                              const SolverParameters &parameters)
-  : ConstrainedEquilibrium<dim>(model, constraints, parameters)
+AssembledSolver<dim>::AssembledSolver(
+  ElasticModel<dim> &model,
+  const AffineConstraints<double> &constraints,
+  const SolverParameters &parameters)
+  : ConstrainedSolver<dim>(model, constraints, parameters)
   , solver(make_linear_solver(parameters,
                               model.discretization.dof_handler.n_dofs(),
                               model.discretization.communicator))
@@ -31,7 +32,8 @@ Equilibrium<dim>::Equilibrium(ElasticModel<dim> &model,
 
 template <int dim>
 LA::Vector
-Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
+AssembledSolver<dim>::solve_condensed(const LA::Vector &b,
+                                      const LA::Vector &guess)
 {
   const double scale = b.l2_norm();
   check_loads(scale);
@@ -70,7 +72,7 @@ Equilibrium<dim>::solve_condensed(const LA::Vector &b, const LA::Vector &guess)
 
 template <int dim>
 std::string
-Equilibrium<dim>::description() const
+AssembledSolver<dim>::description() const
 {
   return solver->description();
 }
@@ -79,7 +81,7 @@ Equilibrium<dim>::description() const
 
 template <int dim>
 void
-Equilibrium<dim>::fail() const
+AssembledSolver<dim>::fail() const
 {
   std::ostringstream message;
   message << "The " << solver->description()
@@ -92,6 +94,6 @@ Equilibrium<dim>::fail() const
 
 
 
-template class Equilibrium<2>;
-template class Equilibrium<3>;
+template class AssembledSolver<2>;
+template class AssembledSolver<3>;
 } // namespace Setsudan

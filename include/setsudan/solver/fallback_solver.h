@@ -10,7 +10,7 @@
 namespace Setsudan
 {
 template <int dim>
-class Equilibrium;
+class AssembledSolver;
 template <int dim>
 class MatrixFreeSolver;
 
@@ -20,7 +20,7 @@ class MatrixFreeSolver;
  * of the assembled matrix where that does not converge.
  */
 template <int dim>
-class EquilibriumLadder : public TangentSolver
+class FallbackSolver : public TangentSolver
 {
 public:
   using Constraints = dealii::AffineConstraints<double>;
@@ -31,13 +31,13 @@ public:
    * @param last            the ladder for the same model under other
    * constraints, of which is kept what serves here; or nothing.
    */
-  EquilibriumLadder(ElasticModel<dim> &model,
-                    std::shared_ptr<const Constraints> constraints,
-                    const SolverParameters &parameters,
-                    const bool has_fallen_back         = false,
-                    const EquilibriumLadder<dim> *last = nullptr);
+  FallbackSolver(ElasticModel<dim> &model,
+                 std::shared_ptr<const Constraints> constraints,
+                 const SolverParameters &parameters,
+                 const bool has_fallen_back      = false,
+                 const FallbackSolver<dim> *last = nullptr);
 
-  ~EquilibriumLadder() override;
+  ~FallbackSolver() override;
 
   LA::Vector
   solve(const LA::Vector &forces,
@@ -69,7 +69,7 @@ private:
   const std::shared_ptr<const Constraints> constraints;
   SolverParameters parameters;
   std::unique_ptr<MatrixFreeSolver<dim>> multigrid;
-  std::unique_ptr<Equilibrium<dim>> assembled;
+  std::unique_ptr<AssembledSolver<dim>> assembled;
   /** What went wrong with multigrid, until it has been said. */
   std::string failure;
   bool fell_back;

@@ -9,16 +9,16 @@ namespace Setsudan
 /** The equilibrium for one set of constraints, but for the way in which the
  * condensed equations are solved. */
 template <int dim>
-class ConstrainedEquilibrium : public TangentSolver
+class ConstrainedSolver : public TangentSolver
 {
 public:
   /**
    * @param constraints homogeneous and closed, which must live as long. Their
    * local lines name every unknown that a constraint of this process couples.
    */
-  ConstrainedEquilibrium(ElasticModel<dim> &model,
-                         const dealii::AffineConstraints<double> &constraints,
-                         const SolverParameters &parameters);
+  ConstrainedSolver(ElasticModel<dim> &model,
+                    const dealii::AffineConstraints<double> &constraints,
+                    const SolverParameters &parameters);
 
   LA::Vector
   solve(const LA::Vector &forces,
