@@ -17,9 +17,8 @@ CALCULIX = {"SPOOLES": "SPOOLES", "scaled conjugate gradients": "ITERATIVE SCALI
 
 # The settings that differ from run to run.
 ANEW = {"Solver/Method": "direct", "Division/Solve": "every row anew"}
-FACTORED = {"Division/Solve": "one factorization"}
-GROWING = {"Division/Solve": "condensed"}
-ITERATIVE = {"Division/Solve": "iterative"}
+CONDENSED = {"Division/Solve": "condensed"}
+ITERATIVE = {"Solver/Method": "iterative"}
 
 
 def decks(scene, values, directory):
@@ -114,8 +113,7 @@ def whole_cut(n=20):
     unit = one["set_up"] + one["solve"]
     rows = [["one uncut factorization and solve", "", 1, f"{one['memory']:.0f}"]]
     results = {}
-    for name, values in (("one factorization", FACTORED),
-                         ("condensed", GROWING), ("iterative", ITERATIVE)):
+    for name, values in (("condensed", CONDENSED), ("iterative", ITERATIVE)):
         def run():
             result = program(measure.CUBE, {**cube(n), **values})
             return (result.seconds, result.memory,
@@ -131,7 +129,7 @@ def whole_cut(n=20):
 
     def by_calculix():
         with tempfile.TemporaryDirectory() as directory:
-            written = decks(measure.CUBE, {**cube(n), **GROWING},
+            written = decks(measure.CUBE, {**cube(n), **CONDENSED},
                             pathlib.Path(directory))
             chosen = [written[len(written) * i // 4] for i in range(4)]
             return {name: statistics.mean(solve_by_calculix(deck, solver)[0]
@@ -198,7 +196,7 @@ def one_event(n, values):
 def events():
     """The time of one row in small scenes, once the cut is prepared."""
     rows = [[f"{n}^3", number(remembered(f"event {n}, whole",
-                                         lambda: one_event(n, FACTORED)))]
+                                         lambda: one_event(n, CONDENSED)))]
             for n in (4, 6, 8)]
     return table(["elements", "one row [ms, median]"], rows)
 
@@ -232,7 +230,7 @@ def hard_bodies(n=12):
 
 def frames(n=20):
     """What writing every frame costs."""
-    values = {**cube(n), **FACTORED}
+    values = {**cube(n), **CONDENSED}
     without, with_frames = (
         remembered(f"frames {n}, {frames}", lambda: program(
             measure.CUBE, {**values, "Output/Frames": frames}).seconds)

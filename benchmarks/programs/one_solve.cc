@@ -20,7 +20,8 @@
 #include <iostream>
 #include <string>
 
-#include "../../tests/elasticity/small_model.h"
+#include "../../tests/mechanics/assembled_kind.h"
+#include "../../tests/mechanics/small_model.h"
 #include "message_count.h"
 
 using namespace Setsudan;
@@ -72,14 +73,17 @@ print(const char *name, const double own)
 
 
 std::unique_ptr<TangentSolver>
-make_equilibrium(const std::string &method, Problem &problem)
+make_solver(const std::string &method, Problem &problem)
 {
   auto &model = problem.model;
   if (method == "multigrid")
     return std::make_unique<MatrixFreeSolver<dim>>(
       model, model.supports, problem.solver);
   return std::make_unique<AssembledSolver<dim>>(
-    model, model.supports, problem.solver);
+    model,
+    model.supports,
+    problem.solver,
+    assembled_kind(problem.solver, model.discretization));
 }
 
 
@@ -89,22 +93,21 @@ measure(const std::string &method, Problem &problem)
   auto &model           = problem.model;
   const LA::Vector zero = model.discretization.zero_vector();
   Timer timer;
-  const auto equilibrium = make_equilibrium(method, problem);
-  const double set_up    = timer.wall_time();
-  const auto before      = message_count();
+  const auto solver   = make_solver(method, problem);
+  const double set_up = timer.wall_time();
+  const auto before   = message_count();
   timer.restart();
-  equilibrium->solve(model.loads, model.prescribed, zero);
-  const double solve        = timer.wall_time();
-  const auto after          = message_count();
+  const auto solution = solver->solve(model.loads, model.prescribed, zero);
+  const double solve  = timer.wall_time();
+  const auto after    = message_count();
   unsigned int n_iterations = 0;
   if (method == "multigrid")
-    n_iterations =
-      static_cast<MatrixFreeSolver<dim> &>(*equilibrium).n_iterations();
+    n_iterations = static_cast<MatrixFreeSolver<dim> &>(*solver).n_iterations();
   print("unknowns", model.discretization.dof_handler.n_dofs());
   print("iterations", n_iterations);
   print("set_up", set_up);
   print("solve", solve);
-  print("residual", equilibrium->quality_of_last().residual);
+  print("residual", solution.quality.residual);
   print("memory", peak_memory());
   const double n = std::max(n_iterations, 1u);
   print("messages", (after.messages - before.messages) / n);

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "../../tests/elasticity/small_model.h"
+#include "../../tests/mechanics/small_model.h"
 #include "counted_kernel.h"
 
 using namespace Setsudan;

@@ -76,7 +76,7 @@ ElasticModel<dim>::constrain_supports(const Supports<dim> &supports_of_body)
 
 template <int dim>
 CellBatches<dim> &
-ElasticModel<dim>::batches()
+ElasticModel<dim>::batches() const
 {
   if (!cell_batches)
     cell_batches =
@@ -88,7 +88,7 @@ ElasticModel<dim>::batches()
 
 template <int dim>
 LA::Vector
-internal_forces(ElasticModel<dim> &model, const LA::Vector &displacement)
+internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
   if (model.discretization.type == ElementType::linear)
     return internal_forces(model.discretization,
@@ -99,10 +99,18 @@ internal_forces(ElasticModel<dim> &model, const LA::Vector &displacement)
 
 
 
+double
+stored_energy(const LA::Vector &displacement, const LA::Vector &internal)
+{
+  return 0.5 * (displacement * internal);
+}
+
+
+
 template struct ElasticModel<2>;
 template struct ElasticModel<3>;
 template LA::Vector
-internal_forces(ElasticModel<2> &, const LA::Vector &);
+internal_forces(const ElasticModel<2> &, const LA::Vector &);
 template LA::Vector
-internal_forces(ElasticModel<3> &, const LA::Vector &);
+internal_forces(const ElasticModel<3> &, const LA::Vector &);
 } // namespace Setsudan

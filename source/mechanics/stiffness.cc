@@ -32,7 +32,7 @@ ElementStiffness<dim>::ElementStiffness(
 
 template <int dim>
 const FullMatrix<double> &
-ElementStiffness<dim>::operator()(const Cell &cell)
+ElementStiffness<dim>::operator()(const Cell &cell) const
 {
   const unsigned int element  = discretization.element(cell);
   const unsigned int material = materials.number(element);
@@ -57,7 +57,8 @@ ElementStiffness<dim>::n_integrations() const
 
 template <int dim>
 void
-ElementStiffness<dim>::integrate(const Cell &cell, const Material &material)
+ElementStiffness<dim>::integrate(const Cell &cell,
+                                 const Material &material) const
 {
   const FEValuesExtractors::Vector displacement(0);
   const unsigned int n = matrix.m();
@@ -114,7 +115,7 @@ ElementStiffness<dim>::dilatations(const bool are_projected) const
 template <int dim>
 LA::Vector
 internal_forces(const Discretization<dim> &discretization,
-                ElementStiffness<dim> &stiffness,
+                const ElementStiffness<dim> &stiffness,
                 const LA::Vector &displacement)
 {
   const unsigned int n = discretization.fe.n_dofs_per_cell();
@@ -139,7 +140,7 @@ internal_forces(const Discretization<dim> &discretization,
 template <int dim>
 void
 assemble_stiffness(const Discretization<dim> &discretization,
-                   ElementStiffness<dim> &stiffness,
+                   const ElementStiffness<dim> &stiffness,
                    const AffineConstraints<double> &constraints,
                    LA::SparseMatrix &matrix)
 {
@@ -178,20 +179,20 @@ template class ElementStiffness<2>;
 template class ElementStiffness<3>;
 template LA::Vector
 internal_forces(const Discretization<2> &,
-                ElementStiffness<2> &,
+                const ElementStiffness<2> &,
                 const LA::Vector &);
 template LA::Vector
 internal_forces(const Discretization<3> &,
-                ElementStiffness<3> &,
+                const ElementStiffness<3> &,
                 const LA::Vector &);
 template void
 assemble_stiffness(const Discretization<2> &,
-                   ElementStiffness<2> &,
+                   const ElementStiffness<2> &,
                    const AffineConstraints<double> &,
                    LA::SparseMatrix &);
 template void
 assemble_stiffness(const Discretization<3> &,
-                   ElementStiffness<3> &,
+                   const ElementStiffness<3> &,
                    const AffineConstraints<double> &,
                    LA::SparseMatrix &);
 } // namespace Setsudan

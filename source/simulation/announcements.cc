@@ -2,8 +2,6 @@
 
 #include <setsudan/body/joints.h>
 #include <setsudan/simulation/announcements.h>
-#include <setsudan/simulation/row_state.h>
-#include <setsudan/solver/fallback_solver.h>
 
 #include <algorithm>
 #include <map>
@@ -15,9 +13,10 @@ using namespace dealii;
 
 template <int dim>
 std::string
-describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
+describe_body(const CutBody<dim> &body)
 {
-  const auto &discretization = body.model->discretization;
+  const auto &scene          = body.scene();
+  const auto &discretization = body.model().discretization;
   const auto n_unknowns      = discretization.dof_handler.n_dofs();
   const auto n_elements      = scene.body.mesh.cells.size();
   const auto n_cells = discretization.triangulation.n_global_active_cells();
@@ -31,16 +30,16 @@ describe_body(const Scene<dim> &scene, const CutBody<dim> &body)
        << (scene.body.mesh.is_curved() ? " with curved sides, " : ", ");
   if (n_cells > n_elements)
     line << "refined to " << n_cells << " cells, ";
-  const auto n_processes = Utilities::MPI::n_mpi_processes(body.communicator);
+  const auto n_processes = Utilities::MPI::n_mpi_processes(body.communicator());
   line << n_unknowns / dim << " nodes, " << n_unknowns << " unknowns on "
        << n_processes << (n_processes == 1 ? " process" : " processes")
-       << ".\nSolver: "
-       << FallbackSolver<dim>::description(*body.model, scene.solver);
-  if (scene.solver.method == SolverParameters::Method::automatic)
-    line << ", chosen because the unknowns "
-         << (scene.solver.is_direct(n_unknowns) ? "do not exceed " : "exceed ")
-         << "Solver/Direct up to = " << scene.solver.direct_up_to;
-  line << ".";
+       << ".\nSolver: ";
+  const auto solver = body.solver_choice();
+  line << description(solver.kind) << ", " << solver.reason
+       << (scene.cut.cuts.empty()
+             ? "."
+             : "; the states of a cut may be solved in another way, named "
+               "there.");
   if (scene.material.any_is_mixed())
     line << "\nFormulation: mixed, "
          << (scene.material.formulation_is_named
@@ -105,15 +104,16 @@ describe_roughness(const Cut<dim> &cut)
 
 template <int dim>
 std::string
-describe_solve(const Scene<dim> &scene, const CutBody<dim> &body)
+describe_solve(const CutBody<dim> &body)
 {
-  const std::string why_anew = body.why_anew();
-  if (!why_anew.empty())
-    return "  every row is solved anew, " + why_anew + ".";
-  return std::string("  all rows are solved from one factorization, condensed "
-                     "onto the cut, ") +
-         (body.is_foreseen() ? "in the order in which they split."
-                             : "which grows as they split.");
+  const auto strategy = body.cut_strategy();
+  return (strategy.kind == CutStrategy::condensed
+            ? "  all rows are solved from one factorization (CHOLMOD), "
+              "condensed "
+              "onto the cut, "
+            : "  every row is solved anew, " +
+                description(body.solver_choice().kind) + ", ") +
+         strategy.reason + ".";
 }
 
 
@@ -139,13 +139,12 @@ describe_arrest(const Scene<dim> &scene,
 
 template <int dim>
 std::vector<std::string>
-describe_loose_pieces(const Scene<dim> &scene,
-                      const CutBody<dim> &body,
+describe_loose_pieces(const CutBody<dim> &body,
                       const std::vector<FloatingPiece> &known)
 {
-  const bool drops = scene.supports.drop_loose_pieces();
+  const bool drops = body.scene().supports.drop_loose_pieces();
   std::map<std::size_t, std::string> pieces_by_hold;
-  for (const auto &loose : body.floating_pieces)
+  for (const auto &loose : body.floating_pieces())
     if (std::none_of(
           known.begin(), known.end(), [&](const FloatingPiece &other) {
             return other.piece == loose.piece;
@@ -165,9 +164,9 @@ describe_loose_pieces(const Scene<dim> &scene,
 
 
 template std::string
-describe_body(const Scene<2> &, const CutBody<2> &);
+describe_body(const CutBody<2> &);
 template std::string
-describe_body(const Scene<3> &, const CutBody<3> &);
+describe_body(const CutBody<3> &);
 template std::vector<std::string>
 describe_open_joints(const Scene<2> &);
 template std::vector<std::string>
@@ -181,19 +180,15 @@ describe_roughness(const Cut<2> &);
 template std::string
 describe_arrest(const Scene<2> &, const Event &, const unsigned int);
 template std::string
-describe_solve(const Scene<2> &, const CutBody<2> &);
+describe_solve(const CutBody<2> &);
 template std::string
 describe_roughness(const Cut<3> &);
 template std::string
 describe_arrest(const Scene<3> &, const Event &, const unsigned int);
 template std::string
-describe_solve(const Scene<3> &, const CutBody<3> &);
+describe_solve(const CutBody<3> &);
 template std::vector<std::string>
-describe_loose_pieces(const Scene<2> &,
-                      const CutBody<2> &,
-                      const std::vector<FloatingPiece> &);
+describe_loose_pieces(const CutBody<2> &, const std::vector<FloatingPiece> &);
 template std::vector<std::string>
-describe_loose_pieces(const Scene<3> &,
-                      const CutBody<3> &,
-                      const std::vector<FloatingPiece> &);
+describe_loose_pieces(const CutBody<3> &, const std::vector<FloatingPiece> &);
 } // namespace Setsudan

@@ -2,6 +2,7 @@
 
 #include <setsudan/mechanics/balance.h>
 #include <setsudan/mechanics/stress/deformation_extremes.h>
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/checks.h>
 
 #include <algorithm>
@@ -21,14 +22,15 @@ double
 forces_of_wedge(const CutBody<dim> &body, const State<dim> &state)
 {
   double sum = 0;
-  if (body.seams.empty())
+  if (!body.has_cut())
     return sum;
+  const auto states = body.pair_states();
   for (unsigned int p = 0; p < body.seam().pairs().size(); ++p)
-    if (body.seam().state(p) == Seam<dim>::State::opened)
+    if (states[p] == PairState::opened)
       for (const auto *side :
            {&body.seam().pairs()[p].minus, &body.seam().pairs()[p].plus})
         for (const auto index : *side)
-          if (body.model->discretization.owned.is_element(index))
+          if (body.model().discretization.owned.is_element(index))
             sum += std::abs(state.internal(index) - state.forces(index));
   return sum;
 }
@@ -38,7 +40,7 @@ template <int dim>
 LA::Vector
 resistance(const CutBody<dim> &body, const State<dim> &state)
 {
-  return internal_forces(*body.model, prescribed_displacement(body, state));
+  return internal_forces(body.model(), lift_of(body, state));
 }
 
 /** The magnitudes of a vector's components, of this process. */
@@ -56,8 +58,7 @@ sum_of_magnitudes(const LA::Vector &vector)
 
 template <int dim>
 WallOverlap<dim>
-describe_state(const Scene<dim> &scene,
-               const CutBody<dim> &body,
+evaluate_state(const CutBody<dim> &body,
                const BladeLoad<dim> &blade,
                const State<dim> &state,
                Event &event)
@@ -75,19 +76,18 @@ describe_state(const Scene<dim> &scene,
       force.force *= state.load_factor;
       event.blade_force += force.force * body.cut().edge.direction;
     }
-  event.strain_energy = 0.5 * (state.displacement * state.internal);
-  event.potential_energy =
-    event.strain_energy - state.forces * state.displacement;
+  event.strain_energy    = state.strain_energy;
+  event.potential_energy = state.potential_energy;
 
-  const auto extremes    = find_extremes(*body.model, state.displacement);
+  const auto extremes    = find_extremes(body.model(), state.displacement);
   event.min_jacobian     = extremes.min_jacobian;
   event.max_strain       = extremes.max_strain;
   event.max_shear        = extremes.max_shear;
   event.max_displacement = extremes.max_displacement;
 
   // A solve that leaves more to round-off is accepted, and warned of.
-  const double tolerance =
-    std::max({1e-8, 100 * scene.solver.tolerance, 10 * state.quality.residual});
+  const double tolerance = std::max(
+    {1e-8, 100 * body.scene().solver.tolerance, 10 * state.quality.residual});
   const auto is_balanced = [&](const Balance &balance) {
     return balance.force_residual <= tolerance &&
            balance.moment_residual <= tolerance;
@@ -95,7 +95,7 @@ describe_state(const Scene<dim> &scene,
   const double wedge         = forces_of_wedge(body, state);
   const auto balanced_beside = [&](const double cancelling) {
     return check_balance(
-      *body.model, state.internal, state.forces, forces, cancelling);
+      body.model(), state.internal, state.forces, forces, cancelling);
   };
   auto balance = balanced_beside(wedge);
   if (!is_balanced(balance))
@@ -118,10 +118,10 @@ describe_state(const Scene<dim> &scene,
               << ". Lower Solver/Tolerance or set Solver/Method = direct; if "
                  "that does not help, round-off has taken the digits, since "
                  "the body is too slender or its stiffness too uneven.";
-      throw SolverError(message.str());
+      throw InvariantError(message.str());
     }
   const auto overlap =
-    find_wall_overlap(body.seams, state.displacement, body.communicator);
+    find_wall_overlap(body.walls(), state.displacement, body.communicator());
   event.overlap = overlap.depth;
   return overlap;
 }
@@ -134,22 +134,19 @@ check_energy_of_split(const CutBody<dim> &body,
                       const State<dim> &before,
                       const State<dim> &after)
 {
-  const auto energy = [&](const State<dim> &state) {
-    return 0.5 * (state.internal * state.displacement) -
-           after.forces * state.displacement;
-  };
-  const double energy_after  = energy(after);
-  const double energy_before = energy(before);
+  const double energy_after = after.potential_energy;
+  const double energy_before =
+    before.strain_energy - after.forces * before.displacement;
 
   // What the constraints of the opened rows exert, along the opening that the
   // last split has added; rows that were open before have no part in it.
   LA::Vector wedge = after.internal;
   wedge -= after.forces;
   double work = 0;
-  for (const auto index : body.model->discretization.owned)
+  for (const auto index : body.model().discretization.owned)
     if (after.opening(index) != 0)
       work += wedge(index) * (after.opening(index) - before.opening(index));
-  work = Utilities::MPI::sum(work, body.communicator);
+  work = Utilities::MPI::sum(work, body.communicator());
 
   double scale =
     std::abs(energy_before) + std::abs(energy_after) + std::abs(work);
@@ -160,7 +157,7 @@ check_energy_of_split(const CutBody<dim> &body,
   if (!holds())
     scale += after.displacement.linfty_norm() *
              Utilities::MPI::sum(sum_of_magnitudes(resistance(body, after)),
-                                 body.communicator);
+                                 body.communicator());
   if (!holds())
     {
       std::ostringstream message;
@@ -170,23 +167,21 @@ check_energy_of_split(const CutBody<dim> &body,
               << ", while the blade's thickness did work of " << work
               << " only. The solution is not to be trusted; lower "
                  "Solver/Tolerance or set Solver/Method = direct.";
-      throw SolverError(message.str());
+      throw InvariantError(message.str());
     }
 }
 
 
 
 template WallOverlap<2>
-describe_state(const Scene<2> &,
-               const CutBody<2> &,
+evaluate_state(const CutBody<2> &,
                const BladeLoad<2> &,
                const State<2> &,
                Event &);
 template void
 check_energy_of_split(const CutBody<2> &, const State<2> &, const State<2> &);
 template WallOverlap<3>
-describe_state(const Scene<3> &,
-               const CutBody<3> &,
+evaluate_state(const CutBody<3> &,
                const BladeLoad<3> &,
                const State<3> &,
                Event &);

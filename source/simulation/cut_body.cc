@@ -1,10 +1,10 @@
-#include <setsudan/cut/seam/floating_ties.h>
 #include <setsudan/cut/seam/sides.h>
 #include <setsudan/cut/surface/mesh_surgery.h>
 #include <setsudan/cut/surface/near_cut.h>
 #include <setsudan/mesh/pieces.h>
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/cut_body.h>
-#include <setsudan/solver/condensed/condensed_solver.h>
+#include <setsudan/space/transfer.h>
 
 #include <algorithm>
 #include <set>
@@ -17,16 +17,16 @@ template <int dim>
 CutBody<dim>::CutBody(const Scene<dim> &scene,
                       const Refinement &refinement,
                       const MPI_Comm communicator)
-  : communicator(communicator)
-  , refinement(refinement)
-  , mesh(scene.body.mesh)
-  , scene(scene)
-  , choice(scene)
+  : the_scene(scene)
+  , mpi_communicator(communicator)
+  , the_refinement(refinement)
+  , present_mesh(scene.body.mesh)
+  , selection(scene.solver)
+  , element_labels{std::vector<int>(scene.body.mesh.cells.size(), 0),
+                   find_pieces(scene.body.mesh)}
+  , severed(element_labels.piece, scene.supports.drop_loose_pieces())
 {
   rebuild();
-  labels.side.assign(mesh.cells.size(), 0);
-  labels.piece = find_pieces(mesh);
-  parts        = labels.piece;
 }
 
 
@@ -48,216 +48,96 @@ template <int dim>
 void
 CutBody<dim>::rebuild()
 {
-  choice.forget();
+  selection.forget();
   cells_at_seam.reset();
-  model = std::make_unique<ElasticModel<dim>>(mesh,
-                                              refinement,
-                                              scene.body,
-                                              scene.supports,
-                                              scene.loads,
-                                              scene.material,
-                                              communicator,
-                                              scene.shape.element_type);
-  if (scene.supports.drop_loose_pieces())
-    for (const auto &loose : floating_pieces)
-      remove_loads_from_piece(labels.piece, loose, *model);
-}
-
-
-
-template <int dim>
-Seam<dim>
-CutBody<dim>::make_seam(const BegunCut &begun,
-                        const CoarseMesh<dim> &split) const
-{
-  const auto nodes =
-    collect_surface_nodes(*model, begun.surface, scene.body, split);
-  return Seam<dim>(nodes.pairs,
-                   make_rows(nodes, begun.cut->edge, scene.division));
+  present_model =
+    std::make_unique<ElasticModel<dim>>(present_mesh,
+                                        the_refinement,
+                                        the_scene.body,
+                                        the_scene.supports,
+                                        the_scene.loads,
+                                        the_scene.material,
+                                        mpi_communicator,
+                                        the_scene.shape.element_type);
+  severed.remove_loads(*present_model);
 }
 
 
 
 template <int dim>
 bool
-CutBody<dim>::approach(const Cut<dim> &cut)
+CutBody<dim>::begin_cut(const Cut<dim> &cut)
 {
-  CutSurface<dim> surface = joined_faces(mesh, cut.surface.faces);
-  for (const auto &loose : floating_pieces)
+  CutSurface<dim> surface = joined_faces(present_mesh, cut.surface.faces);
+  for (const auto &piece : severed.floating())
     {
-      const auto is_loose = [&](const CutFace<dim> &face) {
-        return labels.piece[face.minus.first] == loose.piece;
+      const auto is_of_piece = [&](const CutFace<dim> &face) {
+        return element_labels.piece[face.minus.first] == piece.piece;
       };
-      if (!scene.supports.drop_loose_pieces() &&
-          std::any_of(surface.begin(), surface.end(), is_loose))
-        throw std::runtime_error(
-          "The next cut goes through piece " + std::to_string(loose.piece) +
+      if (!severed.drops &&
+          std::any_of(surface.begin(), surface.end(), is_of_piece))
+        throw FloatingPieceError(
+          "The next cut goes through piece " + std::to_string(piece.piece) +
           ", which has no support to press it against. Hold it in subsection "
           "Support, cut it first, or set Support/Loose pieces = drop.");
-      surface.erase(std::remove_if(surface.begin(), surface.end(), is_loose),
+      surface.erase(std::remove_if(surface.begin(), surface.end(), is_of_piece),
                     surface.end());
     }
   if (surface.empty())
     return false;
-  choice.forget();
-  split = split_mesh(mesh, surface);
+  selection.forget();
+  if (newest_seam)
+    finished_walls = walls();
+  split_mesh_to_come = split_mesh(present_mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
   n_split_rows = 0;
+  is_finished  = false;
   cells_at_seam.reset();
-  seams.push_back(make_seam(begun_cuts.back(), split));
+  const auto nodes = collect_surface_nodes(
+    *present_model, {surface}, the_scene.body, split_mesh_to_come);
+  newest_seam = std::make_unique<Seam<dim>>(
+    nodes[0].pairs, make_rows(nodes[0], cut.edge, the_scene.division));
   return true;
 }
 
 
 
 template <int dim>
-void
-CutBody<dim>::open()
+LA::Vector
+CutBody<dim>::split_nodes(const LA::Vector &displacement)
 {
-  mesh        = std::move(split);
-  labels.side = find_sides(mesh, begun_cuts.back().surface);
+  const auto uncut    = std::move(present_model);
+  present_mesh        = std::move(split_mesh_to_come);
+  element_labels.side = find_sides(present_mesh, begun_cuts.back().surface);
   rebuild();
-  seams.clear();
+  // The unknowns have new numbers, on earlier cuts too.
+  std::vector<CutSurface<dim>> surfaces;
   for (const auto &begun : begun_cuts)
-    {
-      seams.push_back(make_seam(begun, mesh));
-      if (seams.size() < begun_cuts.size())
-        seams.back().set_all_states(Seam<dim>::State::free);
-    }
-  parts   = find_pieces(mesh, labels.piece);
-  motions = std::make_unique<PieceMotions<dim>>(mesh, parts, scene.supports);
+    surfaces.push_back(begun.surface);
+  const auto nodes = collect_surface_nodes(
+    *present_model, surfaces, the_scene.body, present_mesh);
+  for (unsigned int c = 0; c < finished_walls.size(); ++c)
+    finished_walls[c] = {nodes[c].pairs,
+                         PairStates(nodes[c].pairs.size(), PairState::free)};
+  newest_seam =
+    std::make_unique<Seam<dim>>(nodes.back().pairs, newest_seam->rows());
+  severed.set_mesh(present_mesh,
+                   find_pieces(present_mesh, element_labels.piece),
+                   the_scene.supports);
+  return transfer(uncut->discretization,
+                  uncut->discretization.with_ghosts(displacement),
+                  present_model->discretization);
 }
 
 
 
 template <int dim>
 void
-CutBody<dim>::release(const unsigned int row)
+CutBody<dim>::release_row(const unsigned int row)
 {
-  seam().set_row_state(row, state_of_split_rows());
   n_split_rows = row + 1;
-  find_loose_pieces();
-}
-
-
-
-template <int dim>
-std::string
-CutBody<dim>::why_anew() const
-{
-  return choice.why_anew(*model, seams.empty() ? nullptr : &seam());
-}
-
-
-
-template <int dim>
-bool
-CutBody<dim>::is_foreseen() const
-{
-  return why_anew().empty() && choice.is_foreseen(all_held());
-}
-
-
-
-template <int dim>
-bool
-CutBody<dim>::all_held() const
-{
-  return motions && motions->all_held();
-}
-
-
-
-template <int dim>
-void
-CutBody<dim>::expect_single_states()
-{
-  choice.expect_single_states();
-}
-
-
-
-template <int dim>
-std::shared_ptr<TangentSolver>
-CutBody<dim>::equilibrium_under(AffineConstraints<double> &&constraints)
-{
-  return choice.solver(*model,
-                       seams.empty() ? nullptr : &seam(),
-                       n_split_rows,
-                       std::move(constraints),
-                       all_held(),
-                       other_states());
-}
-
-
-
-template <int dim>
-typename EquilibriumChoice<dim>::OtherStates
-CutBody<dim>::other_states()
-{
-  return {[this] { return constraints_of(seams.size() - 1); },
-          [this](const auto &visit) { for_each_row_to_come(visit); }};
-}
-
-
-
-template <int dim>
-void
-CutBody<dim>::for_each_row_to_come(
-  const std::function<void(const AffineConstraints<double> &)> &visit)
-{
-  visit(constraints());
-  const Seam<dim> present = seam();
-  for (unsigned int row = 0; row < seam().rows().size(); ++row)
-    {
-      seam().set_row_state(row, state_of_split_rows());
-      visit(constraints());
-    }
-  seam() = present;
-}
-
-
-
-template <int dim>
-typename Seam<dim>::State
-CutBody<dim>::state_of_split_rows() const
-{
-  return scene.division.opens ? Seam<dim>::State::opened
-                              : Seam<dim>::State::free;
-}
-
-
-
-template <int dim>
-std::shared_ptr<TangentSolver>
-CutBody<dim>::equilibrium()
-{
-  return equilibrium_under(constraints());
-}
-
-
-
-template <int dim>
-std::shared_ptr<TangentSolver>
-CutBody<dim>::equilibrium_without(const unsigned int row)
-{
-  // A free pair stays free, so that the row cannot be tied again.
-  const Seam<dim> present = seam();
-  seam().set_row_state(row, Seam<dim>::State::free);
-  std::size_t n_loose = 0;
-  if (!all_held())
-    for (const auto &group : motions->find_floating(seam().links(parts)))
-      n_loose += group.loose.size();
-  auto without = constraints();
-  seam()       = present;
-  if (n_loose > floating_pieces.size())
-    throw std::runtime_error(
-      "Splitting row " + std::to_string(row + 1) +
-      " leaves a part that nothing holds, and there is no telling what energy "
-      "that releases. Hold it in subsection Support, or choose another "
-      "Yield/Criterion.");
-  return equilibrium_under(std::move(without));
+  update_parts();
 }
 
 
@@ -266,95 +146,225 @@ template <int dim>
 bool
 CutBody<dim>::is_left_out(const unsigned int row) const
 {
-  return seam().rows()[row].front.empty();
+  return newest_seam->rows()[row].front.empty();
 }
 
 
 
 template <int dim>
 void
-CutBody<dim>::divide()
+CutBody<dim>::finish_cut()
 {
-  seam().set_all_states(Seam<dim>::State::free);
-  labels.piece = parts;
-  find_loose_pieces();
+  is_finished          = true;
+  element_labels.piece = severed.parts();
+  update_parts();
 }
 
 
 
 template <int dim>
 void
-CutBody<dim>::find_loose_pieces()
+CutBody<dim>::update_parts()
 {
-  const auto known    = floating_pieces;
-  const auto is_known = [&](const FloatingPiece &piece) {
-    return std::find(known.begin(), known.end(), piece) != known.end();
+  const bool changed = severed.update([this] { return pair_states(); },
+                                      cut().edge.direction,
+                                      *newest_seam,
+                                      *present_model);
+  if (changed)
+    selection.forget();
+}
+
+
+
+template <int dim>
+PairState
+CutBody<dim>::split_state() const
+{
+  return the_scene.division.opens ? PairState::opened : PairState::free;
+}
+
+
+
+template <int dim>
+PairStates
+CutBody<dim>::pair_states() const
+{
+  if (is_finished)
+    return PairStates(newest_seam->pairs().size(), PairState::free);
+  return newest_seam->states_after(n_split_rows, split_state());
+}
+
+
+
+template <int dim>
+std::vector<CutWall<dim>>
+CutBody<dim>::walls() const
+{
+  auto all = finished_walls;
+  if (newest_seam)
+    all.push_back({newest_seam->pairs(), pair_states()});
+  return all;
+}
+
+
+
+template <int dim>
+typename CutBody<dim>::Constraints
+CutBody<dim>::constraints_without_seam() const
+{
+  const auto &discretization = present_model->discretization;
+  IndexSet lines             = discretization.relevant;
+  if (newest_seam)
+    lines.add_indices(
+      newest_seam->coupled_indices(discretization.dof_handler.n_dofs()));
+  Constraints constraints(lines);
+  for (const auto *part : {&present_model->hanging, &present_model->supports})
+    constraints.merge(*part, Constraints::no_conflicts_allowed, true);
+  severed.add_constraints(discretization, present_mesh, constraints);
+  return constraints;
+}
+
+
+
+template <int dim>
+typename CutBody<dim>::Constraints
+CutBody<dim>::constraints(const PairStates &states) const
+{
+  auto constraints = constraints_without_seam();
+  newest_seam->add_constraints(states, constraints);
+  constraints.close();
+  return constraints;
+}
+
+
+
+template <int dim>
+typename CutBody<dim>::Constraints
+CutBody<dim>::constraints() const
+{
+  if (newest_seam)
+    return constraints(pair_states());
+  auto constraints = constraints_without_seam();
+  constraints.close();
+  return constraints;
+}
+
+
+
+template <int dim>
+LA::Vector
+CutBody<dim>::opening() const
+{
+  return newest_seam ? newest_seam->opening(pair_states(),
+                                            *present_model,
+                                            the_scene.blade.thickness)
+                     : present_model->discretization.zero_vector();
+}
+
+
+
+template <int dim>
+BladeLoad<dim>
+CutBody<dim>::blade_on_row(const unsigned int row) const
+{
+  return Setsudan::blade_on_row(
+    *present_model, *newest_seam, row, cut().edge.direction, cut().edge_loads);
+}
+
+
+
+template <int dim>
+Choice<SolverKind>
+CutBody<dim>::solver_choice() const
+{
+  return selection.choice(*present_model);
+}
+
+
+
+template <int dim>
+Choice<CutStrategy>
+CutBody<dim>::cut_strategy() const
+{
+  CutSize size;
+  if (newest_seam && !is_finished)
+    size = {static_cast<unsigned int>(newest_seam->rows().size()),
+            2 * dim * newest_seam->n_double_pairs()};
+  return choose_cut_strategy(
+    the_scene.solver, size_of(present_model->discretization), size);
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::expect_single_states()
+{
+  has_single_states = true;
+}
+
+
+
+template <int dim>
+std::optional<CutStages>
+CutBody<dim>::stages() const
+{
+  if (has_single_states || cut_strategy().kind != CutStrategy::condensed)
+    return {};
+  CutStages stages;
+  stages.n_rows             = newest_seam->rows().size();
+  stages.interface_unknowns = newest_seam->coupled_indices(
+    present_model->discretization.dof_handler.n_dofs());
+  // Where a piece comes loose constraints change by more than a row, and a
+  // criterion may look at states beside those of the cut.
+  stages.are_known    = severed.all_held() && !the_scene.yield.needs_seam();
+  stages.without_ties = [this] {
+    auto constraints = constraints_without_seam();
+    constraints.close();
+    return constraints;
   };
-  const bool drops = scene.supports.drop_loose_pieces();
-  bool more        = !all_held();
-  while (more)
-    {
-      const std::size_t n_before = floating_pieces.size();
-      floating_pieces.clear();
-      for (const auto &group : motions->find_floating(seam().links(parts)))
-        {
-          const auto &loose = group.loose;
-          floating_pieces.insert(
-            floating_pieces.end(), loose.begin(), loose.end());
-          if (drops || std::all_of(loose.begin(), loose.end(), is_known))
-            continue;
-          check_loads_on_loose_group(*model, parts, group);
-          check_ties_of_loose_group(seam(), parts, group, cut().edge.direction);
-        }
-      // A piece that is left out holds no others, which may be loose now.
-      more = drops && floating_pieces.size() > n_before;
-      if (more)
-        drop(floating_pieces);
-    }
-  if (floating_pieces != known)
-    choice.forget();
+  stages.after = [this](const unsigned int n_split) {
+    return constraints(newest_seam->states_after(n_split, split_state()));
+  };
+  return stages;
 }
 
 
 
 template <int dim>
-void
-CutBody<dim>::drop(const std::vector<FloatingPiece> &loose)
+std::shared_ptr<TangentSolver>
+CutBody<dim>::solver_under(Constraints &&constraints)
 {
-  std::set<unsigned int> numbers;
-  for (const auto &piece : loose)
-    {
-      numbers.insert(piece.piece);
-      remove_loads_from_piece(parts, piece, *model);
-    }
-  seam().leave_out(parts, numbers);
+  const auto of_cut = stages();
+  return selection.solver(
+    *present_model,
+    std::make_shared<const Constraints>(std::move(constraints)),
+    of_cut ? &*of_cut : nullptr);
 }
 
 
 
 template <int dim>
-const Cut<dim> &
-CutBody<dim>::cut() const
+std::shared_ptr<TangentSolver>
+CutBody<dim>::solver()
 {
-  return *begun_cuts.back().cut;
+  return solver_under(constraints());
 }
 
 
 
 template <int dim>
-Seam<dim> &
-CutBody<dim>::seam()
+std::shared_ptr<TangentSolver>
+CutBody<dim>::solver_without(const unsigned int row)
 {
-  return seams.back();
-}
-
-
-
-template <int dim>
-const Seam<dim> &
-CutBody<dim>::seam() const
-{
-  return seams.back();
+  const auto states = newest_seam->released(pair_states(), row);
+  if (severed.n_floating(*newest_seam, states) > severed.floating().size())
+    throw FloatingPieceError(
+      "Splitting row " + std::to_string(row + 1) +
+      " leaves a part that nothing holds, and there is no telling what energy "
+      "that releases. Hold it in subsection Support, or choose another "
+      "Yield/Criterion.");
+  return solver_under(constraints(states));
 }
 
 
@@ -364,46 +374,9 @@ const SeamCells<dim> &
 CutBody<dim>::seam_cells() const
 {
   if (!cells_at_seam)
-    cells_at_seam = std::make_unique<SeamCells<dim>>(*model, seam());
+    cells_at_seam =
+      std::make_unique<SeamCells<dim>>(*present_model, *newest_seam);
   return *cells_at_seam;
-}
-
-
-
-template <int dim>
-AffineConstraints<double>
-CutBody<dim>::constraints_of(const unsigned int n_seams) const
-{
-  const auto &discretization = model->discretization;
-  IndexSet lines             = discretization.relevant;
-  for (const auto &seam : seams)
-    lines.add_indices(
-      seam.coupled_indices(discretization.dof_handler.n_dofs()));
-  AffineConstraints<double> constraints(lines);
-  for (const auto *part : {&model->hanging, &model->supports})
-    constraints.merge(
-      *part, AffineConstraints<double>::no_conflicts_allowed, true);
-  if (scene.supports.drop_loose_pieces())
-    for (const auto &loose : floating_pieces)
-      constrain_dropped_piece(discretization, parts, loose, constraints);
-  else if (!floating_pieces.empty())
-    for (const auto index :
-         unknowns_of_hold(discretization, mesh, parts, floating_pieces))
-      if (constraints.can_store_line(index))
-        constraints.add_line(index);
-  for (unsigned int s = 0; s < n_seams; ++s)
-    seams[s].add_constraints(constraints);
-  constraints.close();
-  return constraints;
-}
-
-
-
-template <int dim>
-AffineConstraints<double>
-CutBody<dim>::constraints() const
-{
-  return constraints_of(seams.size());
 }
 
 
@@ -412,7 +385,8 @@ template <int dim>
 unsigned int
 CutBody<dim>::n_pieces() const
 {
-  return *std::max_element(labels.piece.begin(), labels.piece.end()) + 1;
+  const auto &pieces = element_labels.piece;
+  return *std::max_element(pieces.begin(), pieces.end()) + 1;
 }
 
 
@@ -422,8 +396,8 @@ std::vector<unsigned int>
 CutBody<dim>::pieces_of_row(const unsigned int row) const
 {
   std::set<unsigned int> pieces;
-  for (const unsigned int pair : seam().rows()[row].front)
-    pieces.insert(labels.piece[seam().pairs()[pair].element]);
+  for (const unsigned int pair : newest_seam->rows()[row].front)
+    pieces.insert(element_labels.piece[newest_seam->pairs()[pair].element]);
   return {pieces.begin(), pieces.end()};
 }
 
@@ -434,21 +408,12 @@ const RowArea &
 CutBody<dim>::area_of_row(const unsigned int row)
 {
   if (areas.empty())
-    areas = row_areas(scene.body,
-                      scene.material,
+    areas = row_areas(the_scene.body,
+                      the_scene.material,
                       begun_cuts.back().surface,
                       cut().edge,
-                      seam().rows());
+                      newest_seam->rows());
   return areas[row];
-}
-
-
-
-template <int dim>
-LA::Vector
-CutBody<dim>::internal_forces(const LA::Vector &displacement)
-{
-  return Setsudan::internal_forces(*model, displacement);
 }
 
 

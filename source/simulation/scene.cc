@@ -135,18 +135,6 @@ check_supports(const Parameters &parameters,
                       "the node at " +
                         text_of(*node) + " they do not");
 }
-
-
-
-/** Division/Solve can be that everything is solved by iterations. */
-SolverParameters
-solver_of(const Parameters &parameters, const DivisionParameters &division)
-{
-  SolverParameters solver(parameters);
-  if (division.solve == DivisionParameters::Solve::iterative)
-    solver.method = SolverParameters::Method::iterative;
-  return solver;
-}
 } // namespace
 
 
@@ -162,9 +150,10 @@ Scene<dim>::Scene(const Parameters &parameters)
   , blade(parameters)
   , cut(parameters, body, supports, blade)
   , yield(parameters)
+  , criterion(YieldCriterion<dim>::make(yield, material, blade.sharpness))
   , division(parameters)
   , accuracy(parameters)
-  , solver(solver_of(parameters, division))
+  , solver(parameters)
   , output(parameters)
 {
   check_size(parameters, shape, cut, estimate_size(shape, body, cut, solver));

@@ -1,15 +1,13 @@
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/accuracy/choose_refinement.h>
 #include <setsudan/simulation/accuracy/state_error.h>
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/checks.h>
 #include <setsudan/simulation/interruption.h>
-#include <setsudan/simulation/judgement.h>
 #include <setsudan/simulation/record/resumption.h>
-#include <setsudan/simulation/row_state.h>
 #include <setsudan/simulation/simulation.h>
-#include <setsudan/space/transfer.h>
 
 #include <sstream>
 
@@ -37,6 +35,7 @@ Simulation<dim>::Simulation(const Scene<dim> &scene,
          checkpoint ? checkpoint->refinement
                     : choose_refinement(scene, recorder.progress, communicator),
          communicator)
+  , drive(Drive<dim>::make(scene))
 {
   if (checkpoint)
     return;
@@ -51,7 +50,7 @@ template <int dim>
 void
 Simulation<dim>::run()
 {
-  recorder.progress.say(describe_body(scene, body));
+  recorder.progress.say(describe_body(body));
   for (const auto &joint : describe_open_joints(scene))
     recorder.progress.warn(joint);
   bool goes_on = true;
@@ -66,7 +65,7 @@ Simulation<dim>::run()
        ++cut)
     {
       if (cut > 0)
-        reach(Checkpoint::Stage::divided);
+        checkpoint_if_due(Checkpoint::Stage::divided);
       goes_on = make_cut(cut);
     }
   recorder.finish();
@@ -86,10 +85,10 @@ template <int dim>
 bool
 Simulation<dim>::make_cut(const unsigned int cut)
 {
-  if (!approach(cut))
+  if (!begin_cut(cut))
     return true;
   if (scene.yield.needs_seam())
-    open_before_yield();
+    split_nodes_before_yield();
   deform(0);
   return make_cut_from(0);
 }
@@ -116,10 +115,10 @@ Simulation<dim>::make_cut_from(const unsigned int first_row)
           return false;
         }
       if (row == 0 && !scene.yield.needs_seam())
-        open();
-      release(row);
+        split_nodes();
+      release_row(row);
     }
-  divide();
+  finish_cut();
   return true;
 }
 
@@ -129,8 +128,8 @@ template <int dim>
 bool
 Simulation<dim>::resume()
 {
-  repeat_surgeries(scene, *checkpoint, body);
-  state    = restore_state(scene, *checkpoint, body);
+  repeat_surgeries(*checkpoint, body);
+  state    = restore_state(*checkpoint, body);
   event    = checkpoint->event;
   n_frames = checkpoint->n_frames;
   recorder.restore(checkpoint->record);
@@ -146,22 +145,22 @@ Simulation<dim>::resume()
 
 template <int dim>
 void
-Simulation<dim>::reach(const Checkpoint::Stage stage)
+Simulation<dim>::checkpoint_if_due(const Checkpoint::Stage stage)
 {
-  const bool stops = interrupted(body.communicator);
+  const bool stops = interrupted(body.communicator());
   if (checkpoints.keeps() && (stops || checkpoints.is_due()))
     {
       Checkpoint reached;
       reached.stage      = stage;
       reached.n_frames   = n_frames;
       reached.event      = event;
-      reached.refinement = body.refinement;
+      reached.refinement = body.refinement();
       reached.record     = recorder.save();
-      store_state(state, body.communicator, reached);
+      store_state(state, body.communicator(), reached);
       checkpoints.make(reached);
     }
   if (stops)
-    throw SceneError(
+    throw RunInterrupted(
       "The run was interrupted behind row " + std::to_string(event.row + 1) +
       " of cut " + std::to_string(event.cut) +
       (checkpoints.keeps() ? "; with --resume it goes on from there."
@@ -176,11 +175,11 @@ void
 Simulation<dim>::rest()
 {
   state                 = rest_state(body);
-  event.required_stress = smallest_requirement(scene);
+  event.required_stress = scene.criterion->smallest_requirement();
   if (scene.accuracy.estimate)
     event.errors = std::array<double, 2>{{0., 0.}};
   recorder.record("rest", event);
-  recorder.write_state(body, state, no_blade(body), event, true);
+  recorder.write_state(body, state, no_blade(body.model()), event, true);
 }
 
 
@@ -193,20 +192,20 @@ Simulation<dim>::deform_only()
     recorder.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
-  accept(solve_state(scene, body, no_blade(body), 0, state.displacement),
-         no_blade(body));
+  accept(solve_state(body, no_blade(body.model()), 0, state.displacement),
+         no_blade(body.model()));
   recorder.record("deform", event);
-  recorder.write_state(body, state, no_blade(body), event, true);
+  recorder.write_state(body, state, no_blade(body.model()), event, true);
 }
 
 
 
 template <int dim>
 bool
-Simulation<dim>::approach(const unsigned int cut)
+Simulation<dim>::begin_cut(const unsigned int cut)
 {
   const Cut<dim> &chosen = scene.cut.cuts[cut];
-  if (!body.approach(chosen))
+  if (!body.begin_cut(chosen))
     {
       recorder.progress.say("Cut " + std::to_string(cut) + " (" + chosen.text +
                             "): nothing is left to cut, earlier cuts have "
@@ -233,19 +232,8 @@ template <int dim>
 void
 Simulation<dim>::deform(const unsigned int row)
 {
-  using LoadControl = DivisionParameters::LoadControl;
-  const bool ramp   = scene.division.load_control == LoadControl::ramp;
-  const auto blade  = blade_on_row(body, row);
-  if (ramp && is_judged(scene, row))
-    accept(solve_ramp(scene, body, blade, row), blade);
-  else
-    {
-      // A cut that runs through does so at the load that opened it.
-      accept(
-        solve_row(
-          scene, body, blade, ramp ? state.load_factor : 1, state.displacement),
-        blade);
-    }
+  const auto blade = body.blade_on_row(row);
+  accept(drive->advance(body, blade, state), blade);
 
   if (row > 0)
     recorder.record("release", event);
@@ -260,7 +248,7 @@ Simulation<dim>::deform(const unsigned int row)
                        event,
                        row == 0 || row + 1 == body.seam().rows().size() ||
                          !state.yields);
-  reach(Checkpoint::Stage::row);
+  checkpoint_if_due(Checkpoint::Stage::row);
 }
 
 
@@ -269,7 +257,7 @@ template <int dim>
 bool
 Simulation<dim>::row_yields(const unsigned int row)
 {
-  if (state.yields && is_judged(scene, row))
+  if (state.yields && drive->is_checked(row))
     recorder.record("yield", event);
   return state.yields;
 }
@@ -289,55 +277,49 @@ Simulation<dim>::arrest()
 
 template <int dim>
 void
-Simulation<dim>::open()
+Simulation<dim>::split_nodes()
 {
-  const auto uncut = std::move(body.model);
-  const LA::Vector displacement =
-    uncut->discretization.with_ghosts(state.displacement);
-  body.open();
-  state.displacement =
-    transfer(uncut->discretization, displacement, body.model->discretization);
-  state.opening  = body.model->discretization.zero_vector();
-  state.internal = body.internal_forces(state.displacement);
+  state.displacement = body.split_nodes(state.displacement);
+  state.opening      = body.model().discretization.zero_vector();
+  state.internal     = internal_forces(body.model(), state.displacement);
 
   // A fully tied seam is the uncut body: what is solved stays in equilibrium.
-  const double unbalanced = unbalanced_part(body, blade_on_row(body, 0), state);
+  const double unbalanced = unbalanced_part(body, body.blade_on_row(0), state);
   std::ostringstream line;
   line.precision(2);
   line << "  seam of " << body.seam().n_double_pairs()
        << " node pairs; tied, it leaves " << unbalanced
        << " of the forces unbalanced";
-  const double allowed =
-    std::max({1e-10, 100 * state.quality.residual, 10 * body.mesh.round_off()});
+  const double allowed = std::max(
+    {1e-10, 100 * state.quality.residual, 10 * body.mesh().round_off()});
   if (!(unbalanced <= allowed))
     {
       line << ", which must not exceed " << allowed
            << ": it is not the uncut body.";
-      throw SolverError("The" + line.str().substr(1));
+      throw InvariantError("The" + line.str().substr(1));
     }
   recorder.progress.show(line.str());
-  recorder.progress.show(describe_solve(scene, body));
+  recorder.progress.show(describe_solve(body));
 }
 
 
 
 template <int dim>
 void
-Simulation<dim>::open_before_yield()
+Simulation<dim>::split_nodes_before_yield()
 {
-  state =
-    solve_state(scene, body, blade_on_row(body, 0), 1, state.displacement);
-  open();
+  state = solve_state(body, body.blade_on_row(0), 1, state.displacement);
+  split_nodes();
 }
 
 
 
 template <int dim>
 void
-Simulation<dim>::release(const unsigned int row)
+Simulation<dim>::release_row(const unsigned int row)
 {
-  const auto known = body.floating_pieces;
-  body.release(row);
+  const auto known = body.floating_pieces();
+  body.release_row(row);
   say_what_is_loose(known);
   ++event.released_rows;
 }
@@ -348,7 +330,7 @@ template <int dim>
 void
 Simulation<dim>::say_what_is_loose(const std::vector<FloatingPiece> &known)
 {
-  for (const auto &line : describe_loose_pieces(scene, body, known))
+  for (const auto &line : describe_loose_pieces(body, known))
     recorder.progress.say(line);
 }
 
@@ -356,17 +338,16 @@ Simulation<dim>::say_what_is_loose(const std::vector<FloatingPiece> &known)
 
 template <int dim>
 void
-Simulation<dim>::divide()
+Simulation<dim>::finish_cut()
 {
-  const auto known = body.floating_pieces;
-  body.divide();
+  const auto known = body.floating_pieces();
+  body.finish_cut();
   say_what_is_loose(known);
-  State<dim> divided =
-    solve_state(scene, body, no_blade(body), 0, state.displacement);
-  accept(std::move(divided), no_blade(body));
+  accept(solve_state(body, no_blade(body.model()), 0, state.displacement),
+         no_blade(body.model()));
   recorder.record("release", event);
   recorder.record("divide", event);
-  recorder.write_state(body, state, no_blade(body), event, true);
+  recorder.write_state(body, state, no_blade(body.model()), event, true);
   recorder.write_pieces(body, state);
 }
 
@@ -377,11 +358,11 @@ void
 Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
 {
   event.frame        = n_frames++;
-  const auto overlap = describe_state(scene, body, blade, new_state, event);
+  const auto overlap = evaluate_state(body, blade, new_state, event);
   if (scene.accuracy.estimate)
     {
       const StateError error =
-        estimate_error_of_state(scene, body, blade.row, new_state);
+        estimate_error_of_state(body, blade.row, new_state);
       event.errors = std::array<double, 2>{
         {error.energy.relative_energy, error.cutting_stress}};
       new_state.error_squares = error.energy.squares;

@@ -1,6 +1,7 @@
 #include <setsudan/body/mesh_size.h>
 #include <setsudan/mesh/geometry.h>
 #include <setsudan/output/pieces/piece_table.h>
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/cut_body.h>
@@ -133,7 +134,7 @@ std::vector<std::string>
 describe_pieces(const Scene<dim> &scene, const CutBody<dim> &body)
 {
   std::vector<std::string> lines;
-  const auto summaries = summarize_pieces(scene.body, body.labels.piece);
+  const auto summaries = summarize_pieces(scene.body, body.labels().piece);
   for (unsigned int p = 0; p < summaries.size(); ++p)
     {
       std::ostringstream line;
@@ -160,7 +161,7 @@ make_cut(const Scene<dim> &scene,
 {
   auto &lines = validation.lines;
   validation.rows.emplace_back();
-  if (!body.approach(scene.cut.cuts[cut]))
+  if (!body.begin_cut(scene.cut.cuts[cut]))
     {
       lines.push_back("Cut " + std::to_string(cut) + " (" +
                       scene.cut.cuts[cut].text +
@@ -171,20 +172,20 @@ make_cut(const Scene<dim> &scene,
   lines.push_back(
     describe_cut(body, cut) + " It opens " +
     counted(scene.cut.cuts[cut].surface.faces.size(), "element face") + ".");
-  body.open();
+  body.split_nodes(body.model().discretization.zero_vector());
   const unsigned int n_before = body.n_pieces();
   for (unsigned int row = 0; row < body.seam().rows().size(); ++row)
     {
-      const auto known = body.floating_pieces;
+      const auto known = body.floating_pieces();
       if (!body.is_left_out(row))
-        body.release(row);
-      for (const auto &line : describe_loose_pieces(scene, body, known))
+        body.release_row(row);
+      for (const auto &line : describe_loose_pieces(body, known))
         lines.push_back("  behind row " + std::to_string(row + 1) + ":" +
                         line.substr(1));
     }
-  const auto known = body.floating_pieces;
-  body.divide();
-  for (const auto &line : describe_loose_pieces(scene, body, known))
+  const auto known = body.floating_pieces();
+  body.finish_cut();
+  for (const auto &line : describe_loose_pieces(body, known))
     lines.push_back(line);
   lines.push_back("  it leaves " + counted(body.n_pieces(), "piece") +
                   (body.n_pieces() == n_before ? ", as before it." : "."));
@@ -213,14 +214,14 @@ validate(const Scene<dim> &scene, const MPI_Comm communicator)
       {
         make_cut(scene, cut, body, validation);
       }
-    catch (const std::runtime_error &error)
+    catch (const CutError &error)
       {
         lines.push_back("Warning: the run will stop in cut " +
                         std::to_string(cut) + ": " + error.what());
         break;
       }
   append(describe_pieces(scene, body));
-  validation.pieces = body.labels.piece;
+  validation.pieces = body.labels().piece;
   return validation;
 }
 

@@ -11,13 +11,13 @@ using namespace dealii;
 
 template <int dim>
 AssembledSolver<dim>::AssembledSolver(
-  ElasticModel<dim> &model,
+  const ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
-  const SolverParameters &parameters)
+  const SolverParameters &parameters,
+  const SolverKind kind)
   : ConstrainedSolver<dim>(model, constraints, parameters)
-  , solver(make_linear_solver(parameters,
-                              model.discretization.dof_handler.n_dofs(),
-                              model.discretization.communicator))
+  , kind(kind)
+  , solver(make_linear_solver(kind, parameters))
 {
   assemble_stiffness(
     model.discretization, model.stiffness, constraints, matrix);
@@ -33,59 +33,52 @@ AssembledSolver<dim>::AssembledSolver(
 template <int dim>
 LA::Vector
 AssembledSolver<dim>::solve_condensed(const LA::Vector &b,
-                                      const LA::Vector &guess)
+                                      const LA::Vector &guess,
+                                      SolveQuality &quality)
 {
   const double scale = b.l2_norm();
   check_loads(scale);
   LA::Vector x = guess;
   solver->solve(x, b);
 
-  Refined mending;
-  mending.residual_of = [&](const LA::Vector &solution) {
-    LA::Vector rest = b;
-    matrix.residual(rest, solution, b);
-    return rest;
+  RefinedSystem system;
+  system.residual_of = [&](const LA::Vector &solution) {
+    LA::Vector residual = b;
+    matrix.residual(residual, solution, b);
+    return residual;
   };
-  mending.norm       = [](const LA::Vector &rest) { return rest.l2_norm(); };
-  mending.correction = [&](const LA::Vector &rest) {
+  system.norm = [](const LA::Vector &residual) { return residual.l2_norm(); };
+  system.correction = [&](const LA::Vector &residual) {
     LA::Vector correction = b;
     correction            = 0;
-    solver->solve(correction, rest);
+    solver->solve(correction, residual);
     return correction;
   };
-  // Conjugate gradients that went on for long take for solved what is not.
-  const LA::Vector rest = iterative_refinement(
+  // After many iterations the residual that conjugate gradients carry along is
+  // smaller than the true one.
+  const LA::Vector residual = iterative_refinement(
     x,
     scale * (solver->is_iterative() ? accepted : refinement_threshold),
-    mending);
+    system);
 
   LA::Vector correction = x;
-  solver->approximate(correction, rest);
-  const double error = rest.l2_norm();
-  quality            = quality_of(x, correction, error, scale);
-  if (!converged(error, scale, matrix.linfty_norm(), x, accepted))
-    fail();
+  solver->approximate(correction, residual);
+  const double norm = residual.l2_norm();
+  quality           = quality_of(x, correction, norm, scale);
+  if (!converged(norm, scale, matrix.linfty_norm(), x, accepted))
+    fail(quality.residual);
   return x;
 }
 
 
 
 template <int dim>
-std::string
-AssembledSolver<dim>::description() const
-{
-  return solver->description();
-}
-
-
-
-template <int dim>
 void
-AssembledSolver<dim>::fail() const
+AssembledSolver<dim>::fail(const double residual) const
 {
   std::ostringstream message;
-  message << "The " << solver->description()
-          << " solver left a relative residual of " << quality.residual
+  message << "The " << description(kind)
+          << " solver left a relative residual of " << residual
           << ", which must not exceed " << accepted
           << ": the system is singular or nearly so. Check that supports hold "
              "the body, and that stiffnesses do not differ beyond measure.";

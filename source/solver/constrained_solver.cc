@@ -8,7 +8,7 @@ using namespace dealii;
 
 template <int dim>
 ConstrainedSolver<dim>::ConstrainedSolver(
-  ElasticModel<dim> &model,
+  const ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters)
   : model(model)
@@ -21,31 +21,24 @@ ConstrainedSolver<dim>::ConstrainedSolver(
 
 
 template <int dim>
-LA::Vector
+Solution
 ConstrainedSolver<dim>::solve(const LA::Vector &forces,
-                              const LA::Vector &prescribed,
+                              const LA::Vector &lift,
                               const LA::Vector &guess)
 {
-  LA::Vector remaining = forces;
-  remaining -= internal_forces(model, prescribed);
-  const LA::Vector b = condense(constraints, remaining);
+  LA::Vector residual = forces;
+  residual -= internal_forces(model, lift);
 
-  LA::Vector x = guess;
-  x -= prescribed;
+  Solution solution;
+  LA::Vector &x = solution.displacement;
+  x             = guess;
+  x -= lift;
   constraints.set_zero(x);
-  x = solve_condensed(b, x);
+  x = solve_condensed(condense(constraints, residual), x, solution.quality);
   distribute(constraints, x);
-  x += prescribed;
-  return x;
-}
-
-
-
-template <int dim>
-SolveQuality
-ConstrainedSolver<dim>::quality_of_last() const
-{
-  return quality;
+  x += lift;
+  solution.internal = internal_forces(model, x);
+  return solution;
 }
 
 

@@ -3,6 +3,7 @@
 #include <setsudan/solver/linear/linear_solver.h>
 #include <setsudan/solver/matrix_free_solver.h>
 #include <setsudan/solver/multigrid/p_multigrid.h>
+#include <setsudan/solver/solver_choice.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,34 +14,29 @@ namespace Setsudan
 {
 using namespace dealii;
 
-namespace
-{
-// Where more are needed other solvers take less time.
-constexpr unsigned int most_iterations = 500;
-} // namespace
-
-
 template <int dim>
 MatrixFreeSolver<dim>::MatrixFreeSolver(
-  ElasticModel<dim> &model,
+  const ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters,
   const MatrixFreeSolver<dim> *last)
   : ConstrainedSolver<dim>(model, constraints, parameters)
-  , max_iterations(std::min(parameters.max_iterations, most_iterations))
+  , max_iterations(
+      std::min(parameters.max_iterations, most_multigrid_iterations))
   , tolerance(parameters.tolerance)
 {
   model.batches().add_ghost_indices(constraints.get_local_lines());
   const auto &batches = model.batches();
-  lines               = std::make_unique<const LocalConstraints>(constraints,
-                                                   *batches.partitioner());
-  stiffness           = std::make_unique<const ConstrainedStiffness<dim>>(
-    model.discretization, batches, *lines);
-  if (last != nullptr && last->coarse->is_compatible_with(*lines, batches))
+  local_constraints   = std::make_unique<const LocalConstraints>(
+    constraints, *batches.partitioner());
+  stiffness = std::make_unique<const ConstrainedStiffness<dim>>(
+    model.discretization, batches, *local_constraints);
+  if (last != nullptr &&
+      last->coarse->is_compatible_with(*local_constraints, batches))
     coarse = last->coarse;
   else
-    coarse =
-      std::make_shared<const CoarseCorrection<dim>>(model, constraints, *lines);
+    coarse = std::make_shared<const CoarseCorrection<dim>>(
+      model, constraints, *local_constraints);
   multigrid = std::make_unique<const PMultigrid<dim>>(*stiffness, coarse);
 }
 
@@ -53,26 +49,27 @@ MatrixFreeSolver<dim>::~MatrixFreeSolver() = default;
 template <int dim>
 LA::Vector
 MatrixFreeSolver<dim>::solve_condensed(const LA::Vector &loads,
-                                       const LA::Vector &guess)
+                                       const LA::Vector &guess,
+                                       SolveQuality &quality)
 {
   const double scale = loads.l2_norm();
   check_loads(scale);
   const auto &batches = stiffness->batches;
   const Vector b      = batches.copy_in(loads);
   Vector x            = batches.copy_in(guess);
-  Vector rest(b), correction(b);
+  Vector residual(b), correction(b);
   iterations = 0;
   if (scale > 0)
-    iterate(x, b, rest);
+    iterate(x, b, residual);
   else
-    x = rest = 0;
+    x = residual = 0;
 
-  multigrid->vmult(correction, rest);
+  multigrid->vmult(correction, residual);
   const LA::Vector result = batches.copy_out(x);
   quality =
-    quality_of(result, batches.copy_out(correction), rest.l2_norm(), scale);
+    quality_of(result, batches.copy_out(correction), residual.l2_norm(), scale);
   if (!(quality.residual <= accepted))
-    fail();
+    fail(quality.residual);
   return result;
 }
 
@@ -80,9 +77,10 @@ MatrixFreeSolver<dim>::solve_condensed(const LA::Vector &loads,
 
 template <int dim>
 void
-MatrixFreeSolver<dim>::iterate(Vector &x, const Vector &b, Vector &rest)
+MatrixFreeSolver<dim>::iterate(Vector &x, const Vector &b, Vector &residual)
 {
-  // Where cells are slender, many iterations take for solved what is not.
+  // Where cells are slender, the residual that many iterations carry along
+  // is smaller than the true one.
   const double scale = b.l2_norm();
   double error       = std::numeric_limits<double>::max();
   bool goes_on       = true;
@@ -98,9 +96,9 @@ MatrixFreeSolver<dim>::iterate(Vector &x, const Vector &b, Vector &rest)
           // The true residual decides.
         }
       iterations += control.last_step();
-      stiffness->vmult(rest, x);
-      rest.sadd(-1., 1., b);
-      const double last = std::exchange(error, rest.l2_norm());
+      stiffness->vmult(residual, x);
+      residual.sadd(-1., 1., b);
+      const double last = std::exchange(error, residual.l2_norm());
       goes_on           = iterations < max_iterations && error < last / 2 &&
                 error > accepted * scale;
     }
@@ -110,11 +108,11 @@ MatrixFreeSolver<dim>::iterate(Vector &x, const Vector &b, Vector &rest)
 
 template <int dim>
 void
-MatrixFreeSolver<dim>::fail() const
+MatrixFreeSolver<dim>::fail(const double residual) const
 {
   std::ostringstream message;
   message << "Conjugate gradients with multigrid left a relative residual of "
-          << quality.residual << " after " << iterations << " iterations.";
+          << residual << " after " << iterations << " iterations.";
   throw SolverError(message.str());
 }
 

@@ -35,6 +35,16 @@ SolverParameters::declare(ParameterHandler &handler)
                     "2000",
                     Patterns::Integer(1),
                     "An iteration that takes more has failed [-].");
+  Setsudan::declare(handler,
+                    "Division",
+                    "Solve",
+                    "auto",
+                    Patterns::Selection("auto|condensed|every row anew"),
+                    "How the states of a cut are solved. condensed: the body "
+                    "is factored once for all rows and condensed onto the cut, "
+                    "which is exact, and takes memory for all unknowns of the "
+                    "cut; every row anew: by Solver/Method, row by row; auto: "
+                    "by the sizes. Several processes solve every row anew.");
 }
 
 
@@ -44,6 +54,10 @@ SolverParameters::SolverParameters(const Parameters &parameters)
   , tolerance(parameters.number("Solver", "Tolerance"))
   , max_iterations(parameters.natural("Solver", "Maximum iterations"))
 {
+  const std::string cut  = parameters.text("Division", "Solve");
+  cut_solve              = cut == "condensed"        ? CutSolve::condensed
+                           : cut == "every row anew" ? CutSolve::row_by_row
+                                                     : CutSolve::automatic;
   const std::string name = parameters.text("Solver", "Method");
   method                 = name == "direct"      ? Method::direct
                            : name == "iterative" ? Method::iterative

@@ -39,34 +39,36 @@ converged(const double residual,
 
 
 LA::Vector
-iterative_refinement(LA::Vector &x, const double wanted, const Refined &mending)
+iterative_refinement(LA::Vector &x,
+                     const double wanted,
+                     const RefinedSystem &system)
 {
   constexpr unsigned int most = 5;
-  LA::Vector rest             = mending.residual_of(x);
-  double error                = mending.norm(rest);
+  LA::Vector residual         = system.residual_of(x);
+  double norm                 = system.norm(residual);
   bool converges              = true;
-  for (unsigned int n = 0; n < most && converges && error > wanted; ++n)
+  for (unsigned int n = 0; n < most && converges && norm > wanted; ++n)
     {
-      LA::Vector better = mending.correction(rest);
+      LA::Vector better = system.correction(residual);
       better += x;
-      const LA::Vector new_rest = mending.residual_of(better);
-      const double new_error    = mending.norm(new_rest);
-      if (!(new_error < error))
+      const LA::Vector new_residual = system.residual_of(better);
+      const double new_norm         = system.norm(new_residual);
+      if (!(new_norm < norm))
         break;
-      converges = new_error < error / 2;
+      converges = new_norm < norm / 2;
       x         = better;
-      rest      = new_rest;
-      error     = new_error;
+      residual  = new_residual;
+      norm      = new_norm;
     }
-  return rest;
+  return residual;
 }
 
 
 
 void
-check_loads(const double size)
+check_loads(const double norm)
 {
-  if (!std::isfinite(size))
+  if (!std::isfinite(norm))
     throw SolverError(
       "The loads exceed the range of numbers, the sum of their squares is no "
       "number. Choose units of force and length in which they are smaller.");

@@ -37,7 +37,7 @@ print_rows(const std::string &elements,
                               Scene<3>::declare);
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
-  body.approach(scene.cut.cuts[0]);
+  body.begin_cut(scene.cut.cuts[0]);
   const auto numbers = number_nodes(scene.body);
   std::cout << elements << " " << surface << " along " << direction << ", "
             << release << ":" << std::endl;

@@ -36,7 +36,8 @@ public:
 
   // The displacement of every node of every element.
   std::map<std::pair<unsigned int, unsigned int>, dealii::Tensor<1, 3>>
-  solve(ElasticModel<3> &model, const std::vector<PointForce<3>> &nodal_loads)
+  solve(const ElasticModel<3> &model,
+        const std::vector<PointForce<3>> &nodal_loads)
   {
     const auto &mesh = scene.body.mesh;
     for (unsigned int e = 0; e < mesh.cells.size(); ++e)
@@ -184,25 +185,26 @@ compare(const Case &c)
                               Scene<3>::declare);
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
-  body.approach(scene.cut.cuts[0]);
-  body.open();
+  body.begin_cut(scene.cut.cuts[0]);
+  body.split_nodes(body.model().discretization.zero_vector());
   const unsigned int n_rows = body.seam().rows().size();
   std::cout << c.surface << " along " << c.direction << ": " << n_rows
             << " rows" << std::endl;
   for (unsigned int row = 0; row < n_rows; ++row)
     {
       if (row > 0)
-        body.seam().set_row_state(row - 1, Seam<3>::State::opened);
-      const auto &discretization = body.model->discretization;
+        body.release_row(row - 1);
+      const auto &discretization = body.model().discretization;
       const auto state           = solve_state(
-        scene, body, blade_on_row(body, row), 1, discretization.zero_vector());
+        body, body.blade_on_row(row), 1, discretization.zero_vector());
       const auto u = discretization.with_ghosts(state.displacement);
 
       const auto &front_pair =
         body.seam().pairs()[body.seam().rows()[row].front.front()];
       const double front = c.sign * front_pair.position[c.along];
       DirectRoute direct(scene, c, front);
-      const auto expected = direct.solve(*body.model, loads_on_front(c, front));
+      const auto expected =
+        direct.solve(body.model(), loads_on_front(c, front));
       double error = 0, largest = 0;
       for (const auto &cell :
            discretization.dof_handler.active_cell_iterators())

@@ -23,7 +23,7 @@ test(const std::string &name, const std::string &surface)
                               Scene<3>::declare);
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
-  body.approach(scene.cut.cuts[0]);
+  body.begin_cut(scene.cut.cuts[0]);
   const auto &pairs = body.seam().pairs();
   std::cout << name << std::endl;
   double error = 0, moved = 0;

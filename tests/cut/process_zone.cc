@@ -2,8 +2,8 @@
 // at a face, and a quarter at an edge; on small and on large cells; and the
 // measures of stress that criteria compare.
 
+#include <setsudan/cut/yield/cutting_stress.h>
 #include <setsudan/cut/yield/process_zone.h>
-#include <setsudan/cut/yield/yield_criterion.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,6 @@
 // The load factor at which a row yields, against closed forms.
 
-#include <setsudan/cut/yield/yield_criterion.h>
+#include <setsudan/cut/yield/cutting_stress.h>
 
 #include "../test_setup.h"
 

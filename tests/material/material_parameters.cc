@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../mechanics/assembled_kind.h"
 #include "../mechanics/small_model.h"
 #include "../parameters/check.h"
 #include "../test_setup.h"
@@ -119,8 +120,13 @@ test_bar()
   const auto &discretization = model.discretization;
   const LA::Vector zero      = discretization.zero_vector();
   const LA::Vector u         = discretization.with_ghosts(
-    AssembledSolver<2>(model, model.supports, SolverParameters(parameters))
-      .solve(model.loads, zero, zero));
+    AssembledSolver<2>(
+      model,
+      model.supports,
+      SolverParameters(parameters),
+      assembled_kind(SolverParameters(parameters), discretization))
+      .solve(model.loads, zero, zero)
+      .displacement);
 
   // Elements 0 and 1, 2, 3 and 4, 5 from left to right.
   const double stretch[] = {0.04, 0.04, 0.4, 0.1, 0.1, 0.04};

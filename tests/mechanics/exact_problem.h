@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "../body/small_body.h"
+#include "assembled_kind.h"
 
 namespace Setsudan
 {
@@ -101,8 +102,13 @@ private:
       }
     constraints.close();
     return discretization.with_ghosts(
-      AssembledSolver<dim>(model, constraints, SolverParameters(parameters))
-        .solve(model.loads, prescribed, prescribed));
+      AssembledSolver<dim>(
+        model,
+        constraints,
+        SolverParameters(parameters),
+        assembled_kind(SolverParameters(parameters), discretization))
+        .solve(model.loads, prescribed, prescribed)
+        .displacement);
   }
 
   RelativeErrors

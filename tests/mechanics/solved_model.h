@@ -4,6 +4,7 @@
 
 #include <setsudan/solver/assembled_solver.h>
 
+#include "assembled_kind.h"
 #include "small_model.h"
 
 namespace Setsudan
@@ -55,8 +56,13 @@ private:
     constraints.merge(model.hanging);
     constraints.merge(model.supports);
     constraints.close();
-    return AssembledSolver<dim>(model, constraints, solver_parameters)
-      .solve(model.loads, model.prescribed, model.discretization.zero_vector());
+    return AssembledSolver<dim>(
+             model,
+             constraints,
+             solver_parameters,
+             assembled_kind(solver_parameters, model.discretization))
+      .solve(model.loads, model.prescribed, model.discretization.zero_vector())
+      .displacement;
   }
 };
 } // namespace Setsudan

@@ -2,8 +2,8 @@
 // with and without its ties, half the ties' forces times the opening, and a
 // square of the load. The areas of rows sum up to that of the cut.
 
-#include <setsudan/simulation/judgement.h>
-#include <setsudan/simulation/row_state.h>
+#include <setsudan/simulation/drive.h>
+#include <setsudan/solver/assembled_solver.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -23,16 +23,29 @@ work_of_ties(CutBody<dim> &body,
              const State<dim> &tied,
              const LA::Vector &released)
 {
-  LA::Vector ties = body.internal_forces(tied.displacement);
+  LA::Vector ties = internal_forces(body.model(), tied.displacement);
   ties -= tied.forces;
   double work = 0;
   for (const unsigned int p : body.seam().rows()[row].pairs)
     for (unsigned int c = 0; c < dim; ++c)
       for (const auto index :
            {body.seam().pairs()[p].plus[c], body.seam().pairs()[p].minus[c]})
-        if (body.model->discretization.owned.is_element(index))
+        if (body.model().discretization.owned.is_element(index))
           work += ties(index) * (released(index) - tied.displacement(index));
   return -Utilities::MPI::sum(work, MPI_COMM_WORLD) / 2;
+}
+
+
+/** A solver that has taken nothing over from other states. */
+template <int dim>
+AssembledSolver<dim>
+anew(const CutBody<dim> &body, const dealii::AffineConstraints<double> &held)
+{
+  return AssembledSolver<dim>(
+    body.model(),
+    held,
+    body.scene().solver,
+    choose_fallback(size_of(body.model().discretization)));
 }
 
 
@@ -52,24 +65,22 @@ test(const std::vector<SceneEntry> &more)
   entries.insert(entries.end(), more.begin(), more.end());
   const Scene<dim> scene(Parameters("test", entries, Scene<dim>::declare));
   CutBody<dim> body(scene, MPI_COMM_WORLD);
-  body.approach(scene.cut.cuts[0]);
-  body.open();
-  body.seam().set_row_state(0, Seam<dim>::State::opened);
+  body.begin_cut(scene.cut.cuts[0]);
+  body.split_nodes(body.model().discretization.zero_vector());
+  body.release_row(0);
 
   const unsigned int row = 1;
-  const auto blade       = blade_on_row(body, row);
-  const LA::Vector zero  = body.model->discretization.zero_vector();
-  State<dim> tied        = solve_state(scene, body, blade, 1, zero);
-  judge(scene, body, row, tied);
-  const Seam<dim> present = body.seam();
-  unsigned int n_let_go   = 0;
-  for (const unsigned int p : present.rows()[row].pairs)
-    n_let_go += present.state(p) != Seam<dim>::State::tied;
-  check_below_on_all("  pairs that judging has let go", n_let_go, 0);
-  body.seam().set_row_state(row, Seam<dim>::State::free);
+  const auto blade       = body.blade_on_row(row);
+  const LA::Vector zero  = body.model().discretization.zero_vector();
+  State<dim> tied        = solve_state(body, blade, 1, zero);
+  check_yield(body, row, tied);
   // Its opening is that of the row before, and none of its own.
-  const State<dim> released = solve_state(scene, body, blade, 1, zero);
-  body.seam()               = present;
+  State<dim> released = loaded_state(body, blade, 1);
+  const auto without =
+    body.constraints(body.seam().released(body.pair_states(), row));
+  set_solution(
+    anew(body, without).solve(released.forces, lift_of(body, released), zero),
+    released);
 
   const auto energy = [&](const State<dim> &state) {
     return state.internal * state.displacement / 2 -
@@ -91,15 +102,15 @@ test(const std::vector<SceneEntry> &more)
   check_below_on_all("  required", std::abs(tied.stress.required - 0.2), 1e-12);
 
   // Without an opening and other loads the energy is a square of the load.
-  const Response<dim> nothing{zero, zero, zero};
+  const LinearResponse nothing{zero, zero, zero};
   const auto constraints = body.constraints();
-  const Response<dim> per_load{
-    AssembledSolver<dim>(*body.model, constraints, scene.solver)
-      .solve(blade.nodal_forces, zero, zero),
+  const LinearResponse per_load{
+    anew(body, constraints).solve(blade.nodal_forces, zero, zero).displacement,
     blade.nodal_forces,
     zero};
   SolveQuality quality;
-  const auto at = judge_row<dim>(scene, body, row, nothing, &per_load, quality);
+  const auto at =
+    scene.criterion->evaluate(body, row, nothing, &per_load, quality);
   check_below_on_all("  square of the load",
                      std::abs(at(3).reached / (9 * at(1).reached) - 1),
                      1e-12);

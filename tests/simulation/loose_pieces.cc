@@ -31,16 +31,16 @@ divide(const std::string &body_force,
             << "': " << std::endl;
   try
     {
-      body.approach(scene.cut.cuts[0]);
-      body.open();
-      body.divide();
-      for (const auto &loose : body.floating_pieces)
+      body.begin_cut(scene.cut.cuts[0]);
+      body.split_nodes(body.model().discretization.zero_vector());
+      body.finish_cut();
+      for (const auto &loose : body.floating_pieces())
         std::cout << "  piece " << loose.piece << " of " << body.n_pieces()
                   << " is held at " << loose.hold.size() << " components"
                   << std::endl;
-      const auto &discretization = body.model->discretization;
+      const auto &discretization = body.model().discretization;
       const auto state           = solve_state(
-        scene, body, no_blade(body), 0, discretization.zero_vector());
+        body, no_blade(body.model()), 0, discretization.zero_vector());
       if (body_force.empty())
         check_below("  displacement", state.displacement.linfty_norm(), 1e-14);
       else
@@ -49,14 +49,14 @@ divide(const std::string &body_force,
           held -= state.forces;
           double strain = 0;
           for (const auto index : unknowns_of_hold(discretization,
-                                                   body.mesh,
-                                                   body.labels.piece,
-                                                   body.floating_pieces))
+                                                   body.mesh(),
+                                                   body.labels().piece,
+                                                   body.floating_pieces()))
             strain = std::max(strain, std::abs(held(index)));
           check_below("  forces that hold it", strain, 1e-12);
         }
       if (cut_again)
-        body.approach(scene.cut.cuts[1]);
+        body.begin_cut(scene.cut.cuts[1]);
     }
   catch (const std::runtime_error &error)
     {
@@ -99,19 +99,21 @@ drop()
     Scene<3>::declare);
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
-  body.approach(scene.cut.cuts[0]);
-  body.open();
-  body.divide();
-  const auto solve = [](const Scene<3> &scene, CutBody<3> &body) {
-    return solve_state(
-      scene, body, no_blade(body), 0, body.model->discretization.zero_vector());
+  body.begin_cut(scene.cut.cuts[0]);
+  body.split_nodes(body.model().discretization.zero_vector());
+  body.finish_cut();
+  const auto solve = [](CutBody<3> &body) {
+    return solve_state(body,
+                       no_blade(body.model()),
+                       0,
+                       body.model().discretization.zero_vector());
   };
-  const auto state  = solve(scene, body);
+  const auto state  = solve(body);
   const auto &below = lower_half();
   CutBody<3> body_below(below, MPI_COMM_WORLD);
-  const auto state_below = solve(below, body_below);
+  const auto state_below = solve(body_below);
 
-  const auto &discretization = body.model->discretization;
+  const auto &discretization = body.model().discretization;
   const auto u               = discretization.with_ghosts(state.displacement);
   double largest[]           = {0, 0};
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
@@ -127,16 +129,16 @@ drop()
               1e-12 * largest[0]);
 
   // The next cut goes through both halves, the last only through the upper.
-  const bool goes_on = body.approach(scene.cut.cuts[1]);
+  const bool goes_on = body.begin_cut(scene.cut.cuts[1]);
   std::cout << "  the next cut " << (goes_on ? "goes" : "does not go") << " on";
   unsigned int highest = 0;
   for (const auto &pair : body.seam().pairs())
     highest = std::max(highest, static_cast<unsigned int>(pair.position[2]));
   std::cout << ", up to height " << highest << std::endl;
-  body.open();
-  body.divide();
+  body.split_nodes(body.model().discretization.zero_vector());
+  body.finish_cut();
   std::cout << "  " << body.n_pieces() << " pieces, the last cut "
-            << (body.approach(scene.cut.cuts[2]) ? "goes" : "does not go")
+            << (body.begin_cut(scene.cut.cuts[2]) ? "goes" : "does not go")
             << " on" << std::endl;
 }
 

@@ -3,7 +3,6 @@
 // that the cut goes through, and across the cuts before it.
 
 #include <setsudan/simulation/state.h>
-#include <setsudan/space/transfer.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -24,13 +23,12 @@ is_first_process()
 
 template <int dim>
 LA::Vector
-solve(const Scene<dim> &scene, CutBody<dim> &body)
+solve(CutBody<dim> &body)
 {
-  return solve_state(scene,
-                     body,
-                     blade_on_row(body, 0),
+  return solve_state(body,
+                     body.blade_on_row(0),
                      1,
-                     body.model->discretization.zero_vector())
+                     body.model().discretization.zero_vector())
     .displacement;
 }
 
@@ -57,15 +55,9 @@ test(const std::string &surfaces, const std::vector<SceneEntry> &more = {})
     std::cout << name << std::endl;
   for (const auto &cut : scene.cut.cuts)
     {
-      body.approach(cut);
-      const LA::Vector whole = solve(scene, body);
-      const auto uncut       = std::move(body.model);
-      body.open();
-      const LA::Vector carried =
-        transfer(uncut->discretization,
-                 uncut->discretization.with_ghosts(whole),
-                 body.model->discretization);
-      LA::Vector difference = solve(scene, body);
+      body.begin_cut(cut);
+      const LA::Vector carried = body.split_nodes(solve(body));
+      LA::Vector difference    = solve(body);
       difference -= carried;
       const double error = difference.linfty_norm() / carried.linfty_norm();
       if (is_first_process())
@@ -73,7 +65,7 @@ test(const std::string &surfaces, const std::vector<SceneEntry> &more = {})
           check("  two sides", body.seam().n_double_pairs() > 0);
           check_below("  tied", error, 1e-10);
         }
-      body.divide();
+      body.finish_cut();
     }
 }
 

@@ -29,11 +29,11 @@ test(const bool is_tied)
   const auto parameters = parameters_of(assignments, Scene<dim>::declare);
   const Scene<dim> scene(parameters);
   CutBody<dim> body(scene, MPI_COMM_WORLD);
-  body.approach(scene.cut.cuts[0]);
-  body.open();
+  body.begin_cut(scene.cut.cuts[0]);
+  body.split_nodes(body.model().discretization.zero_vector());
   if (!is_tied)
-    body.seam().set_all_states(Seam<dim>::State::free);
-  const auto &discretization = body.model->discretization;
+    body.finish_cut();
+  const auto &discretization = body.model().discretization;
   LA::Vector u               = discretization.zero_vector();
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned() && cell->center()[0] > 5)
@@ -45,7 +45,7 @@ test(const bool is_tied)
             u(nodes[n][0]) = -shift(positions[n][1]);
       }
   u.compress(dealii::VectorOperation::insert);
-  const auto overlap = find_wall_overlap(body.seams, u, MPI_COMM_WORLD);
+  const auto overlap = find_wall_overlap(body.walls(), u, MPI_COMM_WORLD);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::cout << dim << "D" << (is_tied ? ", tied" : "") << ": "
               << overlap.depth << " at x = " << overlap.position[0]

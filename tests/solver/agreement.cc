@@ -1,7 +1,7 @@
 // The direct solvers, for small and for larger bodies, and the iterative one
 // give the same displacement.
 
-#include <setsudan/solver/linear/direct_solver.h>
+#include <setsudan/solver/linear/mumps_solver.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -21,15 +21,12 @@ is_first_process()
 }
 
 
-/** Which solver it was: the two direct ones differ by the size. */
 template <int dim>
 std::string
 description(const SolvedModel<dim> &solved)
 {
-  return make_linear_solver(solved.solver_parameters,
-                            solved.model.discretization.dof_handler.n_dofs(),
-                            MPI_COMM_WORLD)
-    ->description();
+  return Setsudan::description(
+    assembled_kind(solved.solver_parameters, solved.model.discretization));
 }
 
 
@@ -74,13 +71,16 @@ test_many_loads(const std::string &n_elements, const std::string &method)
                          "Solver/Tolerance=1e-12"});
   auto &model           = solved.model;
   const LA::Vector zero = model.discretization.zero_vector();
-  AssembledSolver<3> equilibrium(
-    model, model.supports, solved.solver_parameters);
+  AssembledSolver<3> solver(
+    model,
+    model.supports,
+    solved.solver_parameters,
+    assembled_kind(solved.solver_parameters, model.discretization));
   LA::Vector twice = model.loads;
   twice *= 2;
-  const LA::Vector first = equilibrium.solve(twice, zero, zero);
-  const LA::Vector rest  = equilibrium.solve(zero, zero, first);
-  LA::Vector again       = equilibrium.solve(model.loads, zero, first);
+  const LA::Vector first = solver.solve(twice, zero, zero).displacement;
+  const LA::Vector rest  = solver.solve(zero, zero, first).displacement;
+  LA::Vector again       = solver.solve(model.loads, zero, first).displacement;
   again -= solved.displacement;
   LA::Vector half = first;
   half.sadd(0.5, -1., solved.displacement);
@@ -110,7 +110,7 @@ test_small_workspace()
   LA::SparseMatrix matrix;
   assemble_stiffness(
     model.discretization, model.stiffness, model.supports, matrix);
-  DirectSolver scarce(model.discretization.dof_handler.n_dofs(), -90);
+  MumpsSolver scarce(-90);
   // Amesos says what went wrong at first, on streams that are compared.
   std::ostringstream said;
   auto *const out = std::cout.rdbuf(said.rdbuf());

@@ -54,6 +54,7 @@ test_loose_body(const std::string &n_elements, const std::string &method)
 }
 
 
+/** What is chosen for a body, and for a cut of it. */
 void
 test_choice()
 {
@@ -62,14 +63,40 @@ test_choice()
       const SolverParameters parameters(
         parameters_of({"Solver/Method=" + method, "Solver/Direct up to=20000"},
                       SolverParameters::declare));
-      for (const unsigned int n : {1, 1500, 1501, 20000, 20001})
-        {
-          const auto solver = make_linear_solver(parameters, n, MPI_COMM_WORLD);
-          std::cout << method << ", " << n
-                    << " unknowns: " << solver->description()
-                    << (solver->is_iterative() ? ", iterates" : "")
-                    << std::endl;
-        }
+      for (const unsigned int n : {1, 20000, 20001})
+        for (const auto type : {ElementType::serendipity, ElementType::linear})
+          for (const unsigned int n_processes : {1, 2})
+            {
+              const auto choice =
+                choose_solver(parameters, {n, type, n_processes});
+              std::cout << method << ", " << n << " unknowns, "
+                        << (type == ElementType::linear ? "linear, " : "")
+                        << n_processes
+                        << " processes: " << description(choice.kind) << ", "
+                        << choice.reason << std::endl;
+            }
+    }
+  for (const std::string solve : {"auto", "condensed", "every row anew"})
+    {
+      const SolverParameters parameters(
+        parameters_of({"Division/Solve=" + solve}, SolverParameters::declare));
+      for (const SystemSize size :
+           {SystemSize{10000, ElementType::serendipity, 1},
+            SystemSize{10000, ElementType::serendipity, 2},
+            SystemSize{300000, ElementType::serendipity, 1}})
+        for (const CutSize cut : {CutSize{},
+                                  CutSize{2, 100},
+                                  CutSize{20, 1000},
+                                  CutSize{20, 50000}})
+          {
+            const auto choice = choose_cut_strategy(parameters, size, cut);
+            std::cout << solve << ", " << size.n_unknowns << " unknowns, "
+                      << size.n_processes << " processes, " << cut.n_rows
+                      << " rows of " << cut.n_interface_unknowns << ": "
+                      << (choice.kind == CutStrategy::condensed ? "condensed"
+                                                                : "row by row")
+                      << ", " << choice.reason << std::endl;
+          }
     }
 }
 

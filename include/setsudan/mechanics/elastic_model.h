@@ -30,7 +30,7 @@ struct ElasticModel
   /** The cells for work without a matrix, which is made when it is first asked
    * for; not for linear elements. */
   CellBatches<dim> &
-  batches();
+  batches() const;
 
   const MaterialParameters<dim> &materials;
   Discretization<dim> discretization;
@@ -53,12 +53,17 @@ private:
   void
   constrain_supports(const Supports<dim> &supports_of_body);
 
-  std::unique_ptr<CellBatches<dim>> cell_batches;
+  mutable std::unique_ptr<CellBatches<dim>> cell_batches;
 };
 
 /** The nodal forces K u by which the elements resist a displacement, with no
  * constraint applied; neither has ghosts. */
 template <int dim>
 LA::Vector
-internal_forces(ElasticModel<dim> &model, const LA::Vector &displacement);
+internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement);
+
+/** The energy that a displacement stores, of which the internal forces are
+ * given: u.K u/2 in a linear body. */
+double
+stored_energy(const LA::Vector &displacement, const LA::Vector &internal);
 } // namespace Setsudan

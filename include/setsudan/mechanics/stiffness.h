@@ -31,7 +31,7 @@ public:
 
   /** The matrix of a cell, rows in the order of the cell's unknowns. */
   const dealii::FullMatrix<double> &
-  operator()(const Cell &cell);
+  operator()(const Cell &cell) const;
 
   /** How many matrices have been integrated so far. */
   unsigned int
@@ -39,7 +39,7 @@ public:
 
 private:
   void
-  integrate(const Cell &cell, const Material &material);
+  integrate(const Cell &cell, const Material &material) const;
 
   /** The change of volume that each shape function makes at each Gauss point
    * of the present cell. */
@@ -48,11 +48,12 @@ private:
 
   const Discretization<dim> &discretization;
   const MaterialParameters<dim> &materials;
-  dealii::FEValues<dim> fe_values;
-  dealii::FullMatrix<double> matrix;
-  CellShapes<dim> shapes;
-  unsigned int last_material = 0;
-  unsigned int integrations  = 0;
+  // The last cell's matrix is kept.
+  mutable dealii::FEValues<dim> fe_values;
+  mutable dealii::FullMatrix<double> matrix;
+  mutable CellShapes<dim> shapes;
+  mutable unsigned int last_material = 0;
+  mutable unsigned int integrations  = 0;
 };
 
 /**
@@ -65,7 +66,7 @@ private:
 template <int dim>
 LA::Vector
 internal_forces(const Discretization<dim> &discretization,
-                ElementStiffness<dim> &stiffness,
+                const ElementStiffness<dim> &stiffness,
                 const LA::Vector &displacement);
 
 /**
@@ -77,7 +78,7 @@ internal_forces(const Discretization<dim> &discretization,
 template <int dim>
 void
 assemble_stiffness(const Discretization<dim> &discretization,
-                   ElementStiffness<dim> &stiffness,
+                   const ElementStiffness<dim> &stiffness,
                    const dealii::AffineConstraints<double> &constraints,
                    LA::SparseMatrix &matrix);
 } // namespace Setsudan

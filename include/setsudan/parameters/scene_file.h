@@ -1,17 +1,12 @@
 #pragma once
 
+#include <setsudan/parameters/exceptions.h>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace Setsudan
 {
-/** What is wrong with a scene or with a run, in one message for the user. */
-class SceneError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /** One line `set name = value` of a scene file, or one `--set` option. */
 struct SceneEntry

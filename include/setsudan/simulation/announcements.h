@@ -13,7 +13,7 @@ namespace Setsudan
 /** The body's size, and the solver that is chosen for it. */
 template <int dim>
 std::string
-describe_body(const Scene<dim> &scene, const CutBody<dim> &body);
+describe_body(const CutBody<dim> &body);
 
 /** Where the body touches itself without being joined, unless the scene allows
  * that. */
@@ -34,7 +34,7 @@ describe_roughness(const Cut<dim> &cut);
 /** How the rows of the newest cut will be solved, and why. */
 template <int dim>
 std::string
-describe_solve(const Scene<dim> &scene, const CutBody<dim> &body);
+describe_solve(const CutBody<dim> &body);
 
 /** Where the cut stands still, what was reached, and what would let it go on.
  */
@@ -47,7 +47,6 @@ describe_arrest(const Scene<dim> &scene,
 /** The pieces that have lost their support, besides those `known` before. */
 template <int dim>
 std::vector<std::string>
-describe_loose_pieces(const Scene<dim> &scene,
-                      const CutBody<dim> &body,
+describe_loose_pieces(const CutBody<dim> &body,
                       const std::vector<FloatingPiece> &known);
 } // namespace Setsudan

@@ -15,12 +15,11 @@ namespace Setsudan
  * those are what its equations were solved for.
  *
  * @return the overlap of the cuts' walls.
- * @throw SolverError where forces or moments are not in balance.
+ * @throw InvariantError where forces or moments are not in balance.
  */
 template <int dim>
 WallOverlap<dim>
-describe_state(const Scene<dim> &scene,
-               const CutBody<dim> &body,
+evaluate_state(const CutBody<dim> &body,
                const BladeLoad<dim> &blade,
                const State<dim> &state,
                Event &event);
@@ -32,7 +31,7 @@ describe_state(const Scene<dim> &scene,
  *   E(before) + (forces of the wedge) . (new opening) >= E(after).
  * It follows from `after` being the minimum of E over a larger set.
  *
- * @throw SolverError with the numbers where it does not hold.
+ * @throw InvariantError with the numbers where it does not hold.
  */
 template <int dim>
 void

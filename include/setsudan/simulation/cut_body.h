@@ -1,25 +1,30 @@
 #pragma once
 
-#include <setsudan/cut/seam/row_areas.h>
-#include <setsudan/cut/seam/seam_cells.h>
-#include <setsudan/mechanics/elastic_model.h>
-#include <setsudan/mechanics/pieces/piece_motions.h>
-#include <setsudan/output/frames/frame_content.h>
-#include <setsudan/simulation/equilibrium_choice.h>
+#include <setsudan/cut/seam/blade_load.h>
+#include <setsudan/cut/seam/severed_parts.h>
+#include <setsudan/cut/seam/sides.h>
+#include <setsudan/cut/seam/wall_overlap.h>
+#include <setsudan/cut/yield/yield_criterion.h>
+#include <setsudan/simulation/scene.h>
+#include <setsudan/solver/solver_selection.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
 {
 /**
- * The body as far as it is cut: its mesh, the elastic model on it, and the
- * seams of all cuts, the newest of which is being worked on.
+ * The body as far as it is cut: its mesh, the elastic model on it, the walls of
+ * the cuts that are made, and the seam of the newest one, which is being worked
+ * on. The constraints of a state are a pure function of what is split in it.
  */
 template <int dim>
-class CutBody
+class CutBody : public YieldingBody<dim>
 {
 public:
+  using Constraints = dealii::AffineConstraints<double>;
+
   /** The uncut body; `scene` must live as long. */
   CutBody(const Scene<dim> &scene,
           const Refinement &refinement,
@@ -28,26 +33,29 @@ public:
   /** Refined as the scene says. */
   CutBody(const Scene<dim> &scene, const MPI_Comm communicator);
 
-  /** Begin a new cut: find its rows. The mesh stays as it is. Pieces that have
-   * been dropped are left out.
+  /** Find the rows of a new cut. The mesh stays as it is. Pieces that have been
+   * dropped are left out.
    *
    * @return whether there is anything left to cut.
-   * @throw std::runtime_error where the cut goes through a piece that nothing
+   * @throw FloatingPieceError where the cut goes through a piece that nothing
    * holds against the blade. */
   bool
-  approach(const Cut<dim> &cut);
+  begin_cut(const Cut<dim> &cut);
 
-  /** Duplicate the newest cut's nodes; all its pairs are tied. */
-  void
-  open();
+  /** Duplicate the newest cut's nodes; all its pairs are tied.
+   *
+   * @param displacement without ghosts.
+   * @return the displacement of the new nodes. */
+  LA::Vector
+  split_nodes(const LA::Vector &displacement);
 
   /** Split a row of the newest cut. Parts that nothing holds any more, though
    * the cut goes on, are held or dropped.
    *
-   * @throw std::runtime_error where a lost part's loads are not balanced, or
+   * @throw FloatingPieceError where a lost part's loads are not balanced, or
    * where the rest of the cut goes through parts that nothing holds. */
   void
-  release(const unsigned int row);
+  release_row(const unsigned int row);
 
   /** Whether the front of a row lies on parts that have all been dropped. */
   bool
@@ -56,55 +64,93 @@ public:
   /** Let go of the newest seam, name the pieces, and hold or drop those that
    * have lost their support.
    *
-   * @throw std::runtime_error where a lost piece's loads are not balanced. */
+   * @throw FloatingPieceError where a lost piece's loads are not balanced. */
   void
-  divide();
+  finish_cut();
+
+  const Scene<dim> &
+  scene() const
+  {
+    return the_scene;
+  }
+
+  MPI_Comm
+  communicator() const
+  {
+    return mpi_communicator;
+  }
+
+  const Refinement &
+  refinement() const
+  {
+    return the_refinement;
+  }
+
+  const CoarseMesh<dim> &
+  mesh() const
+  {
+    return present_mesh;
+  }
+
+  const ElasticModel<dim> &
+  model() const override
+  {
+    return *present_model;
+  }
+
+  /** The cells of the model, to set their refinement flags. */
+  dealii::parallel::distributed::Triangulation<dim> &
+  triangulation()
+  {
+    return present_model->discretization.triangulation;
+  }
+
+  /** Whether a cut has been begun. */
+  bool
+  has_cut() const
+  {
+    return newest_seam != nullptr;
+  }
 
   /** The newest cut. */
   const Cut<dim> &
-  cut() const;
+  cut() const
+  {
+    return *begun_cuts.back().cut;
+  }
 
-  /** The seam of the newest cut. */
-  Seam<dim> &
-  seam();
+  /** The seam of the newest cut, and its pairs' states now. */
   const Seam<dim> &
-  seam() const;
+  seam() const override
+  {
+    return *newest_seam;
+  }
+  PairStates
+  pair_states() const;
 
-  /** The cells that meet the newest seam. */
   const SeamCells<dim> &
-  seam_cells() const;
+  seam_cells() const override;
 
-  /** Supports, hanging nodes, the seams and what holds loose pieces; closed. */
-  dealii::AffineConstraints<double>
-  constraints() const;
+  const RowArea &
+  area_of_row(const unsigned int row) override;
 
-  /** The equilibrium under these constraints. It may be the same object at the
-   * next call, for others. */
-  std::shared_ptr<TangentSolver>
-  equilibrium();
+  /** The walls of all cuts, one for each, as far as they are split. */
+  std::vector<CutWall<dim>>
+  walls() const;
 
-  /** Why the rows of the newest cut are not all solved from one factorization,
-   * in words that follow "every row is solved anew"; empty where they are. */
-  std::string
-  why_anew() const;
+  /** Side of the newest cut and piece of each element. */
+  const ElementLabels &
+  labels() const
+  {
+    return element_labels;
+  }
 
-  /** Whether they are factored at once, before they split. */
-  bool
-  is_foreseen() const;
-
-  /** Whether no piece can come loose. */
-  bool
-  all_held() const;
-
-  /** Do not prepare for more than one state of a cut. */
-  void
-  expect_single_states();
-
-  /** The equilibrium if the ties of one row were taken off.
-   *
-   * @throw std::runtime_error where that leaves a part which nothing holds. */
-  std::shared_ptr<TangentSolver>
-  equilibrium_without(const unsigned int row);
+  /** The pieces that nothing but what is assumed for that holds. */
+  const std::vector<FloatingPiece> &
+  floating_pieces() const
+  {
+    return severed.floating();
+  }
 
   unsigned int
   n_pieces() const;
@@ -113,51 +159,41 @@ public:
   std::vector<unsigned int>
   pieces_of_row(const unsigned int row) const;
 
-  /** What splitting a row of the newest cut opens. */
-  const RowArea &
-  area_of_row(const unsigned int row);
+  /** The closed constraints of the present state, and of other states of the
+   * newest seam's pairs: supports, hanging nodes, the seam, and what holds
+   * floating pieces. */
+  Constraints
+  constraints() const;
+  Constraints
+  constraints(const PairStates &states) const;
 
-  /** K u of a displacement without ghosts. */
+  /** What the blade's thickness prescribes in the present state. */
   LA::Vector
-  internal_forces(const LA::Vector &displacement);
+  opening() const;
 
-  const MPI_Comm communicator;
-  const Refinement refinement;
-  CoarseMesh<dim> mesh;
-  std::unique_ptr<ElasticModel<dim>> model;
-  std::vector<Seam<dim>> seams;
-  std::vector<FloatingPiece> floating_pieces;
-  ElementLabels labels;
+  /** The blade on the front of a row of the newest cut. */
+  BladeLoad<dim>
+  blade_on_row(const unsigned int row) const;
 
-private:
-  /** Find the pieces that are loose now, and hold or drop them. */
-  void
-  find_loose_pieces();
-
-  void
-  drop(const std::vector<FloatingPiece> &loose);
-
-  /** Supports, hanging nodes, the first seams and what holds loose pieces;
-   * closed. */
-  dealii::AffineConstraints<double>
-  constraints_of(const unsigned int n_seams) const;
-
-  /** Visit the constraints now, and when each row of the newest cut in turn has
-   * been split. */
-  void
-  for_each_row_to_come(
-    const std::function<void(const dealii::AffineConstraints<double> &)>
-      &visit);
-
-  typename Seam<dim>::State
-  state_of_split_rows() const;
-
-  typename EquilibriumChoice<dim>::OtherStates
-  other_states();
+  /** The solver of the present state. It may be the same object at the next
+   * call, for another state. */
+  std::shared_ptr<TangentSolver>
+  solver();
 
   std::shared_ptr<TangentSolver>
-  equilibrium_under(dealii::AffineConstraints<double> &&constraints);
+  solver_without(const unsigned int row) override;
 
+  /** How a single state is solved, and how those of the newest cut. */
+  Choice<SolverKind>
+  solver_choice() const;
+  Choice<CutStrategy>
+  cut_strategy() const;
+
+  /** Do not prepare for more than one state of a cut. */
+  void
+  expect_single_states();
+
+private:
   /** A cut that has been begun, and the faces that it opens. */
   struct BegunCut
   {
@@ -169,19 +205,46 @@ private:
   void
   rebuild();
 
-  /** @param split the mesh behind the surgery of this cut. */
-  Seam<dim>
-  make_seam(const BegunCut &begun, const CoarseMesh<dim> &split) const;
+  /** Find the parts that float now, and hold or drop them. */
+  void
+  update_parts();
 
-  const Scene<dim> &scene;
-  EquilibriumChoice<dim> choice;
+  /** What a split row's pairs are. */
+  PairState
+  split_state() const;
+
+  /** All but the seam, not closed. */
+  Constraints
+  constraints_without_seam() const;
+
+  /** What the solver is to know of the newest cut; nothing where its states are
+   * solved one by one. */
+  std::optional<CutStages>
+  stages() const;
+
+  std::shared_ptr<TangentSolver>
+  solver_under(Constraints &&constraints);
+
+  const Scene<dim> &the_scene;
+  const MPI_Comm mpi_communicator;
+  const Refinement the_refinement;
+  CoarseMesh<dim> present_mesh;
+  std::unique_ptr<ElasticModel<dim>> present_model;
+  SolverSelection<dim> selection;
+  bool has_single_states = false;
+
   std::vector<BegunCut> begun_cuts;
+  /** Of the cuts before the newest one. */
+  std::vector<CutWall<dim>> finished_walls;
+  std::unique_ptr<Seam<dim>> newest_seam;
   unsigned int n_split_rows = 0;
+  bool is_finished          = false;
   /** The mesh behind the newest cut's surgery, before it is made. */
-  CoarseMesh<dim> split;
-  /** What the pieces will be when the newest cut has gone through. */
-  std::vector<unsigned int> parts;
-  std::unique_ptr<PieceMotions<dim>> motions;
+  CoarseMesh<dim> split_mesh_to_come;
+
+  ElementLabels element_labels;
+  SeveredParts<dim> severed;
+
   /** Found when somebody asks. */
   mutable std::unique_ptr<SeamCells<dim>> cells_at_seam;
   /** What the newest cut's rows open; empty until somebody asks. */

@@ -12,6 +12,7 @@
 #include <setsudan/simulation/accuracy/accuracy_parameters.h>
 #include <setsudan/solver/solver_parameters.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct Scene
   const BladeParameters<dim> blade;
   const CutParameters<dim> cut;
   const YieldParameters yield;
+  const std::unique_ptr<const YieldCriterion<dim>> criterion;
   const DivisionParameters division;
   const AccuracyParameters accuracy;
   const SolverParameters solver;

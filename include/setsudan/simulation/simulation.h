@@ -1,9 +1,8 @@
 #pragma once
 
-#include <setsudan/simulation/cut_body.h>
+#include <setsudan/simulation/drive.h>
 #include <setsudan/simulation/record/checkpoint_schedule.h>
 #include <setsudan/simulation/record/recorder.h>
-#include <setsudan/simulation/state.h>
 
 #include <optional>
 
@@ -27,8 +26,8 @@ public:
              const MPI_Comm communicator,
              const std::optional<Checkpoint> &checkpoint = {});
 
-  /** @throw SolverError or std::runtime_error where the run cannot go on, and
-   * SceneError where it was interrupted. */
+  /** @throw SolverError, InvariantError, CutError or OutputError where the run
+   * cannot go on, and RunInterrupted. */
   void
   run();
 
@@ -49,9 +48,9 @@ private:
   /** Make a checkpoint of what has been solved and recorded, if it is time for
    * one, and stop there if that is wanted from outside.
    *
-   * @throw SceneError if the run has been interrupted. */
+   * @throw RunInterrupted if so. */
   void
-  reach(const Checkpoint::Stage stage);
+  checkpoint_if_due(const Checkpoint::Stage stage);
 
   void
   rest();
@@ -61,7 +60,7 @@ private:
 
   /** Whether there is anything to cut. */
   bool
-  approach(const unsigned int cut);
+  begin_cut(const unsigned int cut);
 
   void
   deform(const unsigned int row);
@@ -72,20 +71,21 @@ private:
   void
   arrest();
 
+  /** Duplicate the nodes of the cut. */
   void
-  open();
+  split_nodes();
 
   /** Duplicate the nodes already when the first row is judged. */
   void
-  open_before_yield();
+  split_nodes_before_yield();
 
   void
-  release(const unsigned int row);
+  release_row(const unsigned int row);
 
   void
-  divide();
+  finish_cut();
 
-  /** Name the pieces that are loose now, besides those `known` before. */
+  /** Name the pieces that float now, besides those `known` before. */
   void
   say_what_is_loose(const std::vector<FloatingPiece> &known);
 
@@ -98,6 +98,7 @@ private:
   Recorder<dim> recorder;
   CheckpointSchedule checkpoints;
   CutBody<dim> body;
+  const std::unique_ptr<const Drive<dim>> drive;
   State<dim> state;
   Event event;
   unsigned int n_frames = 1;

@@ -2,40 +2,38 @@
 
 #include <setsudan/solver/constrained_solver.h>
 #include <setsudan/solver/linear/linear_solver.h>
+#include <setsudan/solver/solver_choice.h>
 
 namespace Setsudan
 {
-/**
- * The body's equilibrium for one set of constraints: the assembled and
- * prepared matrix, which any number of loads are solved with.
- */
+/** A tangent solver with the assembled matrix, which any number of loads are
+ * solved with. */
 template <int dim>
 class AssembledSolver : public ConstrainedSolver<dim>
 {
 public:
-  /** As the base. */
-  AssembledSolver(ElasticModel<dim> &model,
+  /** As the base.
+   *
+   * @param kind any of which the matrix is assembled. */
+  AssembledSolver(const ElasticModel<dim> &model,
                   const dealii::AffineConstraints<double> &constraints,
-                  const SolverParameters &parameters);
-
-  /** The solver, in words. */
-  std::string
-  description() const;
+                  const SolverParameters &parameters,
+                  const SolverKind kind);
 
 private:
-  /** Solve for the condensed loads, and improve the solution as long as that
-   * lowers the residual. */
+  /** Solve, with iterative refinement. */
   LA::Vector
-  solve_condensed(const LA::Vector &b, const LA::Vector &guess) override;
+  solve_condensed(const LA::Vector &b,
+                  const LA::Vector &guess,
+                  SolveQuality &quality) override;
 
   [[noreturn]] void
-  fail() const;
+  fail(const double residual) const;
 
   using ConstrainedSolver<dim>::model;
-  using ConstrainedSolver<dim>::constraints;
   using ConstrainedSolver<dim>::accepted;
-  using ConstrainedSolver<dim>::quality;
 
+  const SolverKind kind;
   LA::SparseMatrix matrix;
   /** Behind the matrix, which must outlive it. */
   std::unique_ptr<LinearSolver> solver;

@@ -6,8 +6,9 @@
 
 namespace Setsudan
 {
-/** The equilibrium for one set of constraints, but for the way in which the
- * condensed equations are solved. */
+/** A tangent solver that condenses the constraints into the system of equations
+ * and solves that, from the lift on; in which way is left to derived classes.
+ */
 template <int dim>
 class ConstrainedSolver : public TangentSolver
 {
@@ -16,28 +17,28 @@ public:
    * @param constraints homogeneous and closed, which must live as long. Their
    * local lines name every unknown that a constraint of this process couples.
    */
-  ConstrainedSolver(ElasticModel<dim> &model,
+  ConstrainedSolver(const ElasticModel<dim> &model,
                     const dealii::AffineConstraints<double> &constraints,
                     const SolverParameters &parameters);
 
-  LA::Vector
+  Solution
   solve(const LA::Vector &forces,
-        const LA::Vector &prescribed,
+        const LA::Vector &lift,
         const LA::Vector &guess) override;
 
-  SolveQuality
-  quality_of_last() const override;
-
 protected:
-  /** Solve for condensed loads, and set the quality; what is constrained does
-   * not matter in the result. */
+  /** Solve for condensed loads; constrained entries of the result have no
+   * meaning.
+   *
+   * @param quality is set. */
   virtual LA::Vector
-  solve_condensed(const LA::Vector &b, const LA::Vector &guess) = 0;
+  solve_condensed(const LA::Vector &b,
+                  const LA::Vector &guess,
+                  SolveQuality &quality) = 0;
 
-  ElasticModel<dim> &model;
+  const ElasticModel<dim> &model;
   const dealii::AffineConstraints<double> &constraints;
-  /** The residual with which a solve is content. */
+  /** The relative residual that is accepted. */
   const double accepted;
-  SolveQuality quality;
 };
 } // namespace Setsudan

@@ -15,8 +15,8 @@ class PMultigrid;
 template <int dim>
 class CoarseCorrection;
 
-/** The equilibrium for one set of constraints without a matrix: conjugate
- * gradients, preconditioned by multigrid. */
+/** A tangent solver without a matrix: conjugate gradients, preconditioned by
+ * p-multigrid. */
 template <int dim>
 class MatrixFreeSolver : public ConstrainedSolver<dim>
 {
@@ -25,9 +25,9 @@ public:
 
   /** As the base.
    *
-   * @param last the equilibrium under constraints that were a little different,
-   *   whose coarse correction is kept if it serves here; or nothing. */
-  MatrixFreeSolver(ElasticModel<dim> &model,
+   * @param last the solver under constraints that were a little different,
+   * whose coarse correction is kept if it serves here; or nothing. */
+  MatrixFreeSolver(const ElasticModel<dim> &model,
                    const dealii::AffineConstraints<double> &constraints,
                    const SolverParameters &parameters,
                    const MatrixFreeSolver<dim> *last = nullptr);
@@ -40,23 +40,23 @@ public:
 
 private:
   LA::Vector
-  solve_condensed(const LA::Vector &b, const LA::Vector &guess) override;
+  solve_condensed(const LA::Vector &b,
+                  const LA::Vector &guess,
+                  SolveQuality &quality) override;
 
-  /** @param rest what is left over in the end. */
+  /** @param residual of x in the end. */
   void
-  iterate(Vector &x, const Vector &b, Vector &rest);
-
+  iterate(Vector &x, const Vector &b, Vector &residual);
 
   [[noreturn]] void
-  fail() const;
+  fail(const double residual) const;
 
   using ConstrainedSolver<dim>::accepted;
-  using ConstrainedSolver<dim>::quality;
 
   const unsigned int max_iterations;
   const double tolerance;
   /** In the order in which each needs the one before. */
-  std::unique_ptr<const LocalConstraints> lines;
+  std::unique_ptr<const LocalConstraints> local_constraints;
   std::unique_ptr<const ConstrainedStiffness<dim>> stiffness;
   std::shared_ptr<const CoarseCorrection<dim>> coarse;
   std::unique_ptr<const PMultigrid<dim>> multigrid;

@@ -6,7 +6,9 @@
 
 namespace Setsudan
 {
-/** Subsection `Solver`: how the systems of equations are solved. */
+/** Subsection `Solver`, and of `Division` how the states of a cut are solved:
+ * what the user asks for. What is taken is chosen by choose_solver() and
+ * choose_cut_strategy(). */
 struct SolverParameters
 {
   enum class Method
@@ -14,6 +16,13 @@ struct SolverParameters
     automatic,
     direct,
     iterative
+  };
+
+  enum class CutSolve
+  {
+    automatic,
+    condensed,
+    row_by_row
   };
 
   /** Whether a body of so many unknowns is to be solved directly. */
@@ -24,6 +33,7 @@ struct SolverParameters
   unsigned int direct_up_to;
   double tolerance;
   unsigned int max_iterations;
+  CutSolve cut_solve;
 
   static void
   declare(dealii::ParameterHandler &handler);

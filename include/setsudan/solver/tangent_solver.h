@@ -7,24 +7,33 @@
 
 namespace Setsudan
 {
-/** How good the result of a solve is. Round-off and the iterations' end lose
- * digits where the stiffness is very uneven or the body very slender. */
+/** The accuracy of a solve. Round-off and the iterations' end lose digits where
+ * the stiffness is very uneven or the body very slender. */
 struct SolveQuality
 {
   /** The residual, relative to the loads. */
   double residual = 0;
-  /** How large about the largest displacement is to which that residual
-   * belongs, relative to the largest one. */
+  /** Estimate of the largest error of the displacement, from that residual,
+   * relative to the largest displacement. */
   double estimated_relative_error = 0;
   /** What the user should know of how it was solved; mostly nothing. */
   std::string warning;
 };
 
-/** What holds of two solves together: the worse of each, and all remarks. */
+/** What holds of two solves together: the worse of each, and all warnings. */
 SolveQuality
 combine(const SolveQuality &a, const SolveQuality &b);
 
-/** A solve is mended where its relative residual exceeds the first, and has
+/** The solution of a body's equilibrium; no vector has ghosts. */
+struct Solution
+{
+  LA::Vector displacement;
+  /** The internal forces F(u), K u in a linear body, no constraint applied. */
+  LA::Vector internal;
+  SolveQuality quality;
+};
+
+/** A solve is refined where its relative residual exceeds the first, and has
  * failed where it exceeds the second. */
 inline constexpr double refinement_threshold = 1e-13;
 inline constexpr double failure_threshold    = 1e-8;
@@ -42,31 +51,31 @@ converged(const double residual,
           const LA::Vector &x,
           const double accepted = failure_threshold);
 
-/** How a solution is mended. */
-struct Refined
+/** What iterative refinement needs of a system of equations. */
+struct RefinedSystem
 {
-  /** What a solution leaves over of the loads. */
+  /** The residual of a solution. */
   std::function<LA::Vector(const LA::Vector &)> residual_of;
-  /** The size of that. */
+  /** The norm of a residual. */
   std::function<double(const LA::Vector &)> norm;
-  /** The displacement that it belongs to. */
+  /** The solution for a residual. */
   std::function<LA::Vector(const LA::Vector &)> correction;
 };
 
 /**
- * Solve for what a solution leaves over, and add that, as long as it lowers the
- * residual by half and the residual exceeds `wanted`.
+ * Iterative refinement: solve for the residual and add the correction while it
+ * reduces the residual by at least one half and the residual exceeds `wanted`.
  *
- * @return what is left over in the end.
+ * @return the residual in the end.
  */
 LA::Vector
 iterative_refinement(LA::Vector &x,
                      const double wanted,
-                     const Refined &mending);
+                     const RefinedSystem &system);
 
-/** @throw SolverError where the size of the loads is no number. */
+/** @throw SolverError where the norm of the loads is no number. */
 void
-check_loads(const double size);
+check_loads(const double norm);
 
 /** The quality of a solution `x`, of which `correction` is about the error. */
 SolveQuality
@@ -75,29 +84,24 @@ quality_of(const LA::Vector &x,
            const double residual,
            const double loads);
 
-/** The body's equilibrium for one set of constraints, in whichever way it is
- * prepared. */
+/** Solves the linearized equilibrium K u = f under one set of homogeneous
+ * constraints, in whichever way it is prepared. */
 class TangentSolver
 {
 public:
   virtual ~TangentSolver() = default;
 
   /**
-   * The displacement under nodal forces.
-   *
-   * @param forces      without ghosts, no constraint applied.
-   * @param prescribed  any displacement that obeys what is prescribed (the
-   *   opening of a cut) besides the homogeneous constraints.
-   * @param guess       a displacement near the solution.
+   * @param forces external nodal forces, without ghosts, no constraint applied.
+   * @param lift   any displacement that has what is prescribed (by clamps, or
+   *   the opening of a cut) besides the homogeneous constraints.
+   * @param guess  a displacement near the solution.
    * @throw SolverError where the solver fails or its result does not fulfil
    *   the equations.
    */
-  virtual LA::Vector
+  virtual Solution
   solve(const LA::Vector &forces,
-        const LA::Vector &prescribed,
+        const LA::Vector &lift,
         const LA::Vector &guess) = 0;
-
-  virtual SolveQuality
-  quality_of_last() const = 0;
 };
 } // namespace Setsudan

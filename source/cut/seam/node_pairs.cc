@@ -42,7 +42,7 @@ supported_components(const ElasticModel<dim> &model,
 
 template <int dim>
 std::vector<SideRecord<dim>>
-report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
+record_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
 {
   std::multimap<unsigned int, std::pair<unsigned int, unsigned int>> sides;
   for (unsigned int f = 0; f < surface.size(); ++f)
@@ -51,7 +51,7 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
       sides.emplace(surface[f].plus.first, std::make_pair(f, 1));
     }
 
-  std::vector<SideRecord<dim>> reports;
+  std::vector<SideRecord<dim>> records;
   const auto &discretization = model.discretization;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -74,24 +74,24 @@ report_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
                   // A refined cell may lie away from its element's face.
                   if (points[node][face / 2] != face % 2)
                     break;
-                  SideRecord<dim> report{
+                  SideRecord<dim> record{
                     {f,
                      side,
                      path,
                      node,
                      supported_components(model, nodes[node])}};
                   std::copy(
-                    nodes[node].begin(), nodes[node].end(), report.begin() + 5);
-                  reports.push_back(report);
+                    nodes[node].begin(), nodes[node].end(), record.begin() + 5);
+                  records.push_back(record);
                 }
           }
       }
-  return reports;
+  return records;
 }
 
 
 
-/** Puts pairs together from the reports of their two sides. */
+/** Puts pairs together from the records of their two sides. */
 template <int dim>
 class PairBuilder
 {
@@ -108,13 +108,13 @@ public:
   }
 
   void
-  add(const SideRecord<dim> &report)
+  add(const SideRecord<dim> &record)
   {
-    const CutFace<dim> &face = surface[report[0]];
-    const bool is_minus      = report[1] == 0;
+    const CutFace<dim> &face = surface[record[0]];
+    const bool is_minus      = record[1] == 0;
     const CellFace &side     = is_minus ? face.minus : face.plus;
-    const CellPath path{side.first, report[2]};
-    const unsigned int node = report[3];
+    const CellPath path{side.first, record[2]};
+    const unsigned int node = record[3];
     const auto point        = point_in_element<dim>(path, nodes[node]);
     Point<dim> center;
     for (unsigned int d = 0; d < dim; ++d)
@@ -123,7 +123,7 @@ public:
     const PointName name = name_of_point(body.mesh, side.first, point);
     const PointName cell_face =
       name_of_point(body.mesh, side.first, point_in_element<dim>(path, center));
-    Entry &entry        = entries[{report[0], cell_face}][name];
+    Entry &entry        = entries[{record[0], cell_face}][name];
     NodePair<dim> &pair = entry.pair;
     pair.name           = name;
     pair.is_corner      = node < GeometryInfo<dim>::vertices_per_cell;
@@ -139,9 +139,9 @@ public:
     else
       pair.plus_element = side.first;
     auto &indices = is_minus ? pair.minus : pair.plus;
-    std::copy(report.begin() + 5, report.end(), indices.begin());
-    pair.supported |= std::bitset<dim>(report[4]);
-    entry.name_in_split[report[1]] = name_of_point(split, side.first, point);
+    std::copy(record.begin() + 5, record.end(), indices.begin());
+    pair.supported |= std::bitset<dim>(record[4]);
+    entry.name_in_split[record[1]] = name_of_point(split, side.first, point);
   }
 
   /** The faces that meet at a node name the same pair. */
@@ -207,32 +207,42 @@ private:
 
 
 template <int dim>
-SurfaceNodes<dim>
+std::vector<SurfaceNodes<dim>>
 collect_surface_nodes(const ElasticModel<dim> &model,
-                      const CutSurface<dim> &surface,
+                      const std::vector<CutSurface<dim>> &surfaces,
                       const Body<dim> &body,
                       const CoarseMesh<dim> &split)
 {
-  PairBuilder<dim> builder(surface, model.discretization.nodes(), body, split);
-  for (const auto &reports : Utilities::MPI::all_gather(
-         model.discretization.communicator, report_own_sides(model, surface)))
-    for (const auto &report : reports)
-      builder.add(report);
-  return builder.finish();
+  std::vector<std::vector<SideRecord<dim>>> own;
+  for (const auto &surface : surfaces)
+    own.push_back(record_own_sides(model, surface));
+  const auto all =
+    Utilities::MPI::all_gather(model.discretization.communicator, own);
+  std::vector<SurfaceNodes<dim>> nodes;
+  for (unsigned int s = 0; s < surfaces.size(); ++s)
+    {
+      PairBuilder<dim> builder(
+        surfaces[s], model.discretization.nodes(), body, split);
+      for (const auto &of_process : all)
+        for (const auto &record : of_process[s])
+          builder.add(record);
+      nodes.push_back(builder.finish());
+    }
+  return nodes;
 }
 
 
 
 template struct NodePair<2>;
 template struct NodePair<3>;
-template SurfaceNodes<2>
+template std::vector<SurfaceNodes<2>>
 collect_surface_nodes(const ElasticModel<2> &,
-                      const CutSurface<2> &,
+                      const std::vector<CutSurface<2>> &,
                       const Body<2> &,
                       const CoarseMesh<2> &);
-template SurfaceNodes<3>
+template std::vector<SurfaceNodes<3>>
 collect_surface_nodes(const ElasticModel<3> &,
-                      const CutSurface<3> &,
+                      const std::vector<CutSurface<3>> &,
                       const Body<3> &,
                       const CoarseMesh<3> &);
 } // namespace Setsudan

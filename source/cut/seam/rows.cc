@@ -50,39 +50,8 @@ DivisionParameters::declare(ParameterHandler &handler)
                     Patterns::Double(),
                     "With ramp, the cut is arrested where more than this "
                     "multiple of the edge loads is needed; at least 0 [-].");
-  Setsudan::declare(handler,
-                    "Division",
-                    "Solve",
-                    "auto",
-                    Patterns::Selection("auto|one factorization|condensed|"
-                                        "every row anew|iterative"),
-                    "one factorization: the body is factored once for a whole "
-                    "cut, in the order in which rows will split; condensed: "
-                    "also once, and what a row sets free is added when it "
-                    "splits; both are exact and take memory for all unknowns "
-                    "of the cut; every row anew: by Solver/Method, row by row; "
-                    "iterative: the same, without a factorization whatever the "
-                    "size; auto: by the sizes and by whether all rows are "
-                    "known to split. Several processes solve every row anew.");
 }
 
-
-
-namespace
-{
-DivisionParameters::Solve
-solve_of(const std::string &name)
-{
-  using Solve                                     = DivisionParameters::Solve;
-  static const std::map<std::string, Solve> names = {
-    {"auto", Solve::automatic},
-    {"one factorization", Solve::one_factorization},
-    {"condensed", Solve::condensed},
-    {"every row anew", Solve::anew},
-    {"iterative", Solve::iterative}};
-  return names.at(name);
-}
-} // namespace
 
 
 DivisionParameters::DivisionParameters(const Parameters &parameters)
@@ -95,7 +64,6 @@ DivisionParameters::DivisionParameters(const Parameters &parameters)
                    ? LoadControl::constant
                    : LoadControl::ramp)
   , max_load_factor(parameters.number("Division", "Maximum load factor"))
-  , solve(solve_of(parameters.text("Division", "Solve")))
 {
   parameters.require(row_tolerance >= 0 && row_tolerance < 0.5,
                      "Division",

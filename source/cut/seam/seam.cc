@@ -1,4 +1,5 @@
 #include <setsudan/cut/seam/seam.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ Seam<dim>::Seam(const std::vector<NodePair<dim>> &pairs,
                 const std::vector<Row> &rows)
   : node_pairs(pairs)
   , node_rows(rows)
-  , states(pairs.size(), State::tied)
+  , is_left_out(pairs.size(), false)
 {
   choose_dependent_sides();
 }
@@ -36,7 +37,7 @@ Seam<dim>::choose_dependent_sides()
       else if (taken.insert(pair.minus[0]).second)
         dependent_sides.push_back(Dependent::minus);
       else
-        throw std::runtime_error(
+        throw CutError(
           "The cut meets itself or an earlier cut in a way that leaves no two "
           "sides at a node. Cut in another order, or along smoother surfaces.");
     }
@@ -83,41 +84,28 @@ Seam<dim>::rows() const
 
 
 template <int dim>
-typename Seam<dim>::State
-Seam<dim>::state(const unsigned int pair) const
+PairStates
+Seam<dim>::states_after(const unsigned int n_split, const PairState split) const
 {
-  return states[pair];
+  PairStates states(node_pairs.size(), PairState::tied);
+  for (unsigned int row = 0; row < n_split; ++row)
+    for (const unsigned int pair : node_rows[row].pairs)
+      states[pair] = split;
+  for (unsigned int p = 0; p < states.size(); ++p)
+    if (is_left_out[p])
+      states[p] = PairState::free;
+  return states;
 }
 
 
 
 template <int dim>
-bool
-Seam<dim>::holds() const
-{
-  return std::any_of(states.begin(), states.end(), [](const State state) {
-    return state != State::free;
-  });
-}
-
-
-
-template <int dim>
-void
-Seam<dim>::set_row_state(const unsigned int row, const State state)
+PairStates
+Seam<dim>::released(PairStates states, const unsigned int row) const
 {
   for (const unsigned int pair : node_rows[row].pairs)
-    if (states[pair] != State::free)
-      states[pair] = state;
-}
-
-
-
-template <int dim>
-void
-Seam<dim>::set_all_states(const State state)
-{
-  states.assign(states.size(), state);
+    states[pair] = PairState::free;
+  return states;
 }
 
 
@@ -130,14 +118,14 @@ Seam<dim>::leave_out(const std::vector<unsigned int> &pieces,
   for (unsigned int p = 0; p < node_pairs.size(); ++p)
     if (left_out.count(pieces[node_pairs[p].element]) > 0 ||
         left_out.count(pieces[node_pairs[p].plus_element]) > 0)
-      states[p] = State::free;
+      is_left_out[p] = true;
   for (auto &row : node_rows)
     {
       Row joined = row;
       joined.front.clear();
       joined.positions.clear();
       for (unsigned int i = 0; i < row.front.size(); ++i)
-        if (states[row.front[i]] != State::free)
+        if (!is_left_out[row.front[i]])
           {
             joined.front.push_back(row.front[i]);
             joined.positions.push_back(row.positions[i]);
@@ -150,7 +138,8 @@ Seam<dim>::leave_out(const std::vector<unsigned int> &pieces,
 
 template <int dim>
 std::vector<PieceLink<dim>>
-Seam<dim>::links(const std::vector<unsigned int> &pieces) const
+Seam<dim>::links(const PairStates &states,
+                 const std::vector<unsigned int> &pieces) const
 {
   std::vector<PieceLink<dim>> links;
   for (unsigned int p = 0; p < node_pairs.size(); ++p)
@@ -160,11 +149,11 @@ Seam<dim>::links(const std::vector<unsigned int> &pieces) const
         {pieces[pair.plus_element], pieces[pair.element]}};
       if (sides[0] == sides[1] || dependent_sides[p] == Dependent::none)
         continue;
-      if (states[p] == State::tied)
+      if (states[p] == PairState::tied)
         for (unsigned int c = 0; c < dim; ++c)
           links.push_back(
             {sides, pair.position, Tensor<1, dim>(Point<dim>::unit_vector(c))});
-      else if (states[p] == State::opened &&
+      else if (states[p] == PairState::opened &&
                !pair.supported[normal_component(p)])
         links.push_back({sides, pair.position, pair.normal});
     }
@@ -217,43 +206,44 @@ Seam<dim>::normal_component(const unsigned int pair) const
 
 template <int dim>
 void
-Seam<dim>::add_constraints(AffineConstraints<double> &constraints) const
+Seam<dim>::add_constraints(const PairStates &states,
+                           AffineConstraints<double> &constraints) const
 {
   for (unsigned int p = 0; p < node_pairs.size(); ++p)
     {
-      if (dependent_sides[p] == Dependent::none || states[p] == State::free)
+      if (dependent_sides[p] == Dependent::none || states[p] == PairState::free)
         continue;
       const auto &normal    = node_pairs[p].normal;
       const auto &supported = node_pairs[p].supported;
-      auto slave            = dependent(p);
-      auto master           = independent(p);
-      if (states[p] == State::tied)
+      auto constrained      = dependent(p);
+      auto free             = independent(p);
+      if (states[p] == PairState::tied)
         {
           for (unsigned int c = 0; c < dim; ++c)
             {
-              if (constraints.is_constrained(slave[c]))
-                std::swap(slave[c], master[c]);
-              if (supported[c] || constraints.is_constrained(slave[c]))
+              if (constraints.is_constrained(constrained[c]))
+                std::swap(constrained[c], free[c]);
+              if (supported[c] || constraints.is_constrained(constrained[c]))
                 continue;
-              constraints.add_line(slave[c]);
-              constraints.add_entry(slave[c], master[c], 1);
+              constraints.add_line(constrained[c]);
+              constraints.add_entry(constrained[c], free[c], 1);
             }
           continue;
         }
       const unsigned int c = normal_component(p);
-      if (constraints.is_constrained(slave[c]))
-        std::swap(slave, master);
-      if (supported[c] || constraints.is_constrained(slave[c]))
+      if (constraints.is_constrained(constrained[c]))
+        std::swap(constrained, free);
+      if (supported[c] || constraints.is_constrained(constrained[c]))
         continue;
       // n.(u+ - u-) = 0, which the two sides enter with opposite signs.
-      constraints.add_line(slave[c]);
-      constraints.add_entry(slave[c], master[c], 1);
+      constraints.add_line(constrained[c]);
+      constraints.add_entry(constrained[c], free[c], 1);
       for (unsigned int other = 0; other < dim; ++other)
         if (other != c && normal[other] != 0)
           {
             const double slope = normal[other] / normal[c];
-            constraints.add_entry(slave[c], slave[other], -slope);
-            constraints.add_entry(slave[c], master[other], slope);
+            constraints.add_entry(constrained[c], constrained[other], -slope);
+            constraints.add_entry(constrained[c], free[other], slope);
           }
     }
 }
@@ -262,7 +252,9 @@ Seam<dim>::add_constraints(AffineConstraints<double> &constraints) const
 
 template <int dim>
 LA::Vector
-Seam<dim>::opening(const ElasticModel<dim> &model, const double thickness) const
+Seam<dim>::opening(const PairStates &states,
+                   const ElasticModel<dim> &model,
+                   const double thickness) const
 {
   // Pair by pair, since a node of an earlier pair may have moved already.
   std::map<types::global_dof_index, double> moved;
@@ -270,8 +262,8 @@ Seam<dim>::opening(const ElasticModel<dim> &model, const double thickness) const
     {
       const NodePair<dim> &pair = node_pairs[p];
       const unsigned int c      = normal_component(p);
-      if (states[p] != State::opened || dependent_sides[p] == Dependent::none ||
-          pair.supported[c])
+      if (states[p] != PairState::opened ||
+          dependent_sides[p] == Dependent::none || pair.supported[c])
         continue;
       double missing = thickness;
       for (unsigned int d = 0; d < dim; ++d)

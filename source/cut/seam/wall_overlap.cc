@@ -8,16 +8,16 @@ using namespace dealii;
 
 namespace
 {
-/** n.(u+ - u-) of every pair of a seam; of a pair whose sides are on two
+/** n.(u+ - u-) of every pair; of a pair whose sides are on two
  * processes each gives its part. */
 template <int dim>
 std::vector<double>
-gaps_of(const Seam<dim> &seam,
+gaps_of(const std::vector<NodePair<dim>> &pairs,
         const LA::Vector &displacement,
         const MPI_Comm communicator)
 {
   std::vector<double> gaps;
-  for (const auto &pair : seam.pairs())
+  for (const auto &pair : pairs)
     {
       double gap = 0;
       for (unsigned int c = 0; c < dim; ++c)
@@ -39,20 +39,19 @@ gaps_of(const Seam<dim> &seam,
 
 template <int dim>
 WallOverlap<dim>
-find_wall_overlap(const std::vector<Seam<dim>> &seams,
+find_wall_overlap(const std::vector<CutWall<dim>> &walls,
                   const LA::Vector &displacement,
                   const MPI_Comm communicator)
 {
   WallOverlap<dim> overlap;
-  for (unsigned int s = 0; s < seams.size(); ++s)
+  for (unsigned int w = 0; w < walls.size(); ++w)
     {
-      const auto &pairs = seams[s].pairs();
-      const auto gaps   = gaps_of(seams[s], displacement, communicator);
+      const auto &pairs = walls[w].pairs;
+      const auto gaps   = gaps_of(pairs, displacement, communicator);
       for (unsigned int p = 0; p < pairs.size(); ++p)
-        if (pairs[p].is_double() &&
-            seams[s].state(p) == Seam<dim>::State::free &&
+        if (pairs[p].is_double() && walls[w].states[p] == PairState::free &&
             -gaps[p] > overlap.depth)
-          overlap = {-gaps[p], pairs[p].position, s};
+          overlap = {-gaps[p], pairs[p].position, w};
     }
   return overlap;
 }
@@ -62,11 +61,11 @@ find_wall_overlap(const std::vector<Seam<dim>> &seams,
 template struct WallOverlap<2>;
 template struct WallOverlap<3>;
 template WallOverlap<2>
-find_wall_overlap(const std::vector<Seam<2>> &,
+find_wall_overlap(const std::vector<CutWall<2>> &,
                   const LA::Vector &,
                   const MPI_Comm);
 template WallOverlap<3>
-find_wall_overlap(const std::vector<Seam<3>> &,
+find_wall_overlap(const std::vector<CutWall<3>> &,
                   const LA::Vector &,
                   const MPI_Comm);
 } // namespace Setsudan

@@ -2,6 +2,7 @@
 #include <setsudan/cut/surface/cut_parameters.h>
 #include <setsudan/cut/surface/surface_grammar.h>
 #include <setsudan/mesh/geometry.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
 #include <limits>
@@ -158,7 +159,7 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
         {
           surface = items[c].choice->choose(body);
         }
-      catch (const std::runtime_error &error)
+      catch (const CutError &error)
         {
           parameters.reject("Cut",
                             "Surfaces",

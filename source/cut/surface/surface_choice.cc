@@ -1,6 +1,7 @@
 #include <setsudan/cut/surface/surface_choice.h>
 #include <setsudan/mesh/face_index.h>
 #include <setsudan/mesh/geometry.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,11 +169,11 @@ GroupOfFaces<dim>::choose(const Body<dim> &body) const
         ++surface.n_open;
     }
   if (surface.faces.empty())
-    throw std::runtime_error(
+    throw CutError(
       "it lies on the boundary of the body, where there is nothing to cut");
   if (find_branchings(body, surface.faces).empty() &&
       !orient_surface(body, surface.faces))
-    throw std::runtime_error(
+    throw CutError(
       "it has one side only, like a Möbius strip, and no cut can follow it");
   return surface;
 }

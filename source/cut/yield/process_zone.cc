@@ -3,6 +3,7 @@
 
 #include <setsudan/cut/yield/process_zone.h>
 #include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,7 @@ check_zones(const FrontStresses &stresses, const MPI_Comm communicator)
   if (std::any_of(weights.begin(), weights.end(), [](const double weight) {
         return !(weight > 0);
       }))
-    throw std::runtime_error(
+    throw CutError(
       "Yield/Process zone is too small for the elements at the front, which "
       "have no integration point in it. Refine the body near the cut, or take "
       "a zone of at least an eighth of an element.");

@@ -1,176 +1,196 @@
-#include <deal.II/base/mpi.h>
-
 #include <setsudan/cut/yield/yield_criterion.h>
-#include <setsudan/material/material.h>
-
-#include <boost/math/tools/toms748_solve.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Setsudan
 {
-using namespace dealii;
-
-bool
-CuttingStress::yields() const
-{
-  return reached > required || required == 0;
-}
-
-
-
 namespace
 {
-double
-traction_measure(const FrontStress &sample)
+/** The largest stress of a kind at the front, or in process zones there. */
+template <int dim>
+class StressCriterion : public YieldCriterion<dim>
 {
-  const Tensor<1, 3> traction = sample.stress * sample.normal;
-  const double pull           = traction * sample.normal;
-  const Tensor<1, 3> shear    = traction - pull * sample.normal;
-  return std::hypot(std::max(pull, 0.), shear.norm());
-}
-} // namespace
+public:
+  StressCriterion(const YieldParameters &parameters,
+                  const double smallest_shear_limit,
+                  const double sharpness)
+    : parameters(parameters)
+    , sharpness(sharpness)
+    , smallest(required_stress(smallest_shear_limit, sharpness))
+  {
+  }
+
+  std::function<CuttingStress(double)>
+  evaluate(YieldingBody<dim> &body,
+           const unsigned int row,
+           const LinearResponse &base,
+           const LinearResponse *per_load,
+           SolveQuality &) const override
+  {
+    const auto &discretization = body.model().discretization;
+    const auto stresses        = [&](const LinearResponse &response) {
+      return stresses_of(
+        body, row, discretization.with_ghosts(response.displacement), nullptr);
+    };
+    const FrontStresses at_base = stresses(base);
+    const FrontStresses by_load =
+      per_load != nullptr ? stresses(*per_load) : FrontStresses();
+    return [this, at_base, by_load, communicator = discretization.communicator](
+             const double factor) {
+      return cutting_stress(parameters.criterion,
+                            factor == 0 ? at_base
+                                        : superpose(at_base, by_load, factor),
+                            sharpness,
+                            communicator);
+    };
+  }
+
+  double
+  reached_by(const YieldingBody<dim> &body,
+             const unsigned int row,
+             const LA::Vector &displacement,
+             const RecoveredStress<dim> &recovered) const override
+  {
+    return cutting_stress(parameters.criterion,
+                          stresses_of(body, row, displacement, &recovered),
+                          sharpness,
+                          body.model().discretization.communicator)
+      .reached;
+  }
+
+  double
+  smallest_requirement() const override
+  {
+    return smallest;
+  }
+
+private:
+  FrontStresses
+  stresses_of(const YieldingBody<dim> &body,
+              const unsigned int row,
+              const LA::Vector &displacement,
+              const RecoveredStress<dim> *recovered) const
+  {
+    return front_stresses(body.model(),
+                          body.seam(),
+                          body.seam_cells(),
+                          body.seam().rows()[row],
+                          parameters,
+                          displacement,
+                          recovered);
+  }
+
+  const YieldParameters parameters;
+  const double sharpness;
+  const double smallest;
+};
 
 
-double
-stress_measure(const YieldParameters::Criterion criterion,
-               const FrontStress &sample)
+
+/** The energy that splitting a row sets free, for each new area. */
+template <int dim>
+class EnergyRelease : public YieldCriterion<dim>
 {
-  using Criterion = YieldParameters::Criterion;
-  switch (criterion)
-    {
-      case Criterion::maximum_shear:
-      case Criterion::mean_shear:
-        return maximum_shear(sample.stress);
-      case Criterion::von_mises:
-        return deviator(sample.stress).norm() / std::sqrt(2.);
-      case Criterion::traction:
-        return traction_measure(sample);
-      case Criterion::energy_release:
-        break;
-    }
-  AssertThrow(false, ExcMessage("This criterion is not one of stress."));
-  return 0;
-}
+public:
+  EnergyRelease(const double smallest_toughness, const double sharpness)
+    : share(1 - sharpness)
+    , smallest(smallest_toughness * share)
+  {
+  }
 
+  std::function<CuttingStress(double)>
+  evaluate(YieldingBody<dim> &body,
+           const unsigned int row,
+           const LinearResponse &base,
+           const LinearResponse *per_load,
+           SolveQuality &quality) const override
+  {
+    const auto solver     = body.solver_without(row);
+    const Release at_base = release(body.model(), *solver, base, quality);
+    const double constant = at_base.displacement * at_base.internal;
+    double linear = 0, quadratic = 0;
+    if (per_load != nullptr)
+      {
+        const Release by_load =
+          release(body.model(), *solver, *per_load, quality);
+        linear    = at_base.displacement * by_load.internal;
+        quadratic = by_load.displacement * by_load.internal;
+      }
+    const RowArea opened  = body.area_of_row(row);
+    const double required = opened.energy * share;
+    return [=](const double factor) -> CuttingStress {
+      // Behind the last nodes there is nothing to open.
+      if (opened.area == 0)
+        return {0, 0};
+      const double energy =
+        (constant + factor * (2 * linear + factor * quadratic)) / 2;
+      return {energy / opened.area, required / opened.area};
+    };
+  }
 
+  double
+  reached_by(const YieldingBody<dim> &,
+             const unsigned int,
+             const LA::Vector &,
+             const RecoveredStress<dim> &) const override
+  {
+    return 0;
+  }
 
-namespace
-{
-/** The measures and shear limits that are to be compared with each other: of
- * the samples, or of the means over zones, which all processes get. */
-std::vector<std::pair<double, double>>
-measures_and_limits(const YieldParameters::Criterion criterion,
-                    const FrontStresses &stresses,
-                    const MPI_Comm communicator)
-{
-  std::vector<std::pair<double, double>> result;
-  if (stresses.n_zones == 0)
-    {
-      for (const auto &sample : stresses.samples)
-        result.emplace_back(stress_measure(criterion, sample),
-                            sample.shear_limit);
-      return result;
-    }
-  const unsigned int n = stresses.n_zones;
-  std::vector<double> sums(3 * n, 0.);
-  const FrontStress *last = nullptr;
-  double measure          = 0;
-  for (const auto &sample : stresses.samples)
-    {
-      // A point lies in many zones, and has its samples one behind the other.
-      if (!last || sample.stress != last->stress)
-        measure = stress_measure(criterion, sample);
-      last = &sample;
-      sums[sample.zone] += sample.weight;
-      sums[n + sample.zone] += sample.weight * measure;
-      sums[2 * n + sample.zone] += sample.weight * sample.shear_limit;
-    }
-  Utilities::MPI::sum(sums, communicator, sums);
-  for (unsigned int zone = 0; zone < n; ++zone)
-    result.emplace_back(sums[n + zone] / sums[zone],
-                        sums[2 * n + zone] / sums[zone]);
-  return result;
-}
-} // namespace
+  double
+  smallest_requirement() const override
+  {
+    return smallest;
+  }
 
-
-CuttingStress
-cutting_stress(const YieldParameters::Criterion criterion,
-               const FrontStresses &stresses,
-               const double sharpness,
-               const MPI_Comm communicator)
-{
-  const auto measures = measures_and_limits(criterion, stresses, communicator);
-  double largest      = 0;
-  CuttingStress decisive;
-  for (const auto &[measure, shear_limit] : measures)
-    {
-      const double ratio = measure / shear_limit;
-      if (ratio > largest || (ratio == largest && measure >= decisive.reached))
-        {
-          largest  = ratio;
-          decisive = {measure, required_stress(shear_limit, sharpness)};
-        }
-    }
-  // Of the processes with the largest ratio: they have the same material, or
-  // it does not matter which.
-  const double of_all = Utilities::MPI::max(largest, communicator);
-  if (measures.empty() || largest < of_all)
-    decisive = {0, 0};
-  return {Utilities::MPI::max(decisive.reached, communicator),
-          Utilities::MPI::max(decisive.required, communicator)};
-}
-
-
-
-double
-required_stress(const double shear_limit, const double sharpness)
-{
-  return shear_limit * (1 - sharpness);
-}
-
-
-
-FrontStresses
-superpose(const FrontStresses &base,
-          const FrontStresses &per_load,
-          const double factor)
-{
-  AssertDimension(base.samples.size(), per_load.samples.size());
-  FrontStresses stresses = base;
-  for (unsigned int i = 0; i < stresses.samples.size(); ++i)
-    stresses.samples[i].stress += factor * per_load.samples[i].stress;
-  return stresses;
-}
-
-
-
-YieldFactor
-find_yield_load(const std::function<CuttingStress(double)> &stress_at,
-                const double max_load_factor)
-{
-  const CuttingStress at_rest = stress_at(0);
-  if (at_rest.yields())
-    return {0, at_rest, true};
-  const CuttingStress at_most = stress_at(max_load_factor);
-  if (!at_most.yields())
-    return {max_load_factor, at_most, false};
-
-  // Above 0 where the row yields; finite whatever the sizes.
-  const auto excess = [&](const CuttingStress &stress) {
-    return (stress.reached - stress.required) / at_most.reached;
+private:
+  /** The displacement d by which the body gives way when a row's ties are taken
+   * off, and K d. */
+  struct Release
+  {
+    LA::Vector displacement;
+    LA::Vector internal;
   };
-  boost::uintmax_t max_iterations = 200;
-  const auto bracket              = boost::math::tools::toms748_solve(
-    [&](const double factor) { return excess(stress_at(factor)); },
-    0.,
-    max_load_factor,
-    excess(at_rest),
-    excess(at_most),
-    boost::math::tools::eps_tolerance<double>(52),
-    max_iterations);
-  return {bracket.second, stress_at(bracket.second), true};
+
+  /**
+   * The energy set free is that of d: before and after, the body is in the
+   * minimum of its potential energy, once over a smaller set, so that E(before)
+   * - E(after) = d . K d / 2. It equals half the ties' forces times the opening
+   * of their nodes, and d is linear in the load.
+   */
+  static Release
+  release(const ElasticModel<dim> &model,
+          TangentSolver &solver,
+          const LinearResponse &tied,
+          SolveQuality &quality)
+  {
+    Solution released = solver.solve(tied.forces, tied.lift, tied.displacement);
+    quality           = combine(quality, released.quality);
+    released.displacement -= tied.displacement;
+    return {released.displacement,
+            internal_forces(model, released.displacement)};
+  }
+
+  /** Of the toughness, that a blade of this sharpness needs. */
+  const double share;
+  const double smallest;
+};
+} // namespace
+
+
+template <int dim>
+std::unique_ptr<const YieldCriterion<dim>>
+YieldCriterion<dim>::make(const YieldParameters &parameters,
+                          const MaterialParameters<dim> &materials,
+                          const double sharpness)
+{
+  if (parameters.criterion == YieldParameters::Criterion::energy_release)
+    return std::make_unique<EnergyRelease<dim>>(materials.smallest_toughness(),
+                                                sharpness);
+  return std::make_unique<StressCriterion<dim>>(
+    parameters, materials.smallest_shear_limit(), sharpness);
 }
+
+
+
+template class YieldCriterion<2>;
+template class YieldCriterion<3>;
 } // namespace Setsudan

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/mechanics/pieces/piece_motions.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
 #include <set>
@@ -184,7 +185,7 @@ check_loads_on_loose_group(const ElasticModel<dim> &model,
               << " works in motions that nothing stops): nothing keeps it in "
                  "place. Hold it in subsection Support, remove the loads, or "
                  "set Support/Loose pieces = drop.";
-      throw std::runtime_error(message.str());
+      throw FloatingPieceError(message.str());
     }
 }
 

@@ -180,7 +180,7 @@ include_batch(const GradientsOfBatch &gradients,
 
 template <int dim>
 DeformationExtremes
-find_extremes(ElasticModel<dim> &model, const LA::Vector &displacement)
+find_extremes(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
   const auto &discretization = model.discretization;
   if (discretization.type == ElementType::linear)
@@ -209,7 +209,7 @@ find_extremes(const Discretization<3> &,
               const MaterialParameters<3> &,
               const LA::Vector &);
 template DeformationExtremes
-find_extremes(ElasticModel<2> &, const LA::Vector &);
+find_extremes(const ElasticModel<2> &, const LA::Vector &);
 template DeformationExtremes
-find_extremes(ElasticModel<3> &, const LA::Vector &);
+find_extremes(const ElasticModel<3> &, const LA::Vector &);
 } // namespace Setsudan

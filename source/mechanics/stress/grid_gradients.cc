@@ -6,7 +6,7 @@ using namespace dealii;
 
 template <int dim>
 void
-visit_gradients(ElasticModel<dim> &model,
+visit_gradients(const ElasticModel<dim> &model,
                 const typename CellBatches<dim>::Vector &displacement,
                 const std::function<void(const GradientsOfBatch &)> &visit)
 {
@@ -32,11 +32,11 @@ visit_gradients(ElasticModel<dim> &model,
 
 
 template void
-visit_gradients(ElasticModel<2> &,
+visit_gradients(const ElasticModel<2> &,
                 const CellBatches<2>::Vector &,
                 const std::function<void(const GradientsOfBatch &)> &);
 template void
-visit_gradients(ElasticModel<3> &,
+visit_gradients(const ElasticModel<3> &,
                 const CellBatches<3>::Vector &,
                 const std::function<void(const GradientsOfBatch &)> &);
 } // namespace Setsudan

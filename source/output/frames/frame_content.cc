@@ -158,7 +158,7 @@ value_at(const double *const vector,
 
 template <int dim>
 void
-show_quadratic_cells(ElasticModel<dim> &model,
+show_quadratic_cells(const ElasticModel<dim> &model,
                      const LA::Vector &displacement,
                      VtuGrid &grid)
 {
@@ -300,7 +300,7 @@ add_cell_data(const ElasticModel<dim> &model,
 template <int dim>
 VtuGrid
 frame_content(const Body<dim> &body,
-              ElasticModel<dim> &model,
+              const ElasticModel<dim> &model,
               const LA::Vector &displacement,
               const ElementLabels &labels,
               const dealii::Vector<double> &error_squares,
@@ -321,14 +321,14 @@ frame_content(const Body<dim> &body,
 
 template VtuGrid
 frame_content(const Body<2> &,
-              ElasticModel<2> &,
+              const ElasticModel<2> &,
               const LA::Vector &,
               const ElementLabels &,
               const dealii::Vector<double> &,
               const FrameFacts &);
 template VtuGrid
 frame_content(const Body<3> &,
-              ElasticModel<3> &,
+              const ElasticModel<3> &,
               const LA::Vector &,
               const ElementLabels &,
               const dealii::Vector<double> &,

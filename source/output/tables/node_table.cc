@@ -52,19 +52,18 @@ using NodeRecords = std::map<NodeKey, NodeRecord>;
 /** The signs of the nodes that a cut has split, by their first unknown. */
 template <int dim>
 std::map<types::global_dof_index, std::string>
-collect_signs(const std::vector<Seam<dim>> &seams)
+collect_signs(const std::vector<CutWall<dim>> &walls)
 {
   std::map<types::global_dof_index, std::string> signs;
-  for (const auto &seam : seams)
+  for (const auto &[pairs, states] : walls)
     {
-      // A node on a crossing belongs to several pairs of the same seam.
+      // A node on a crossing belongs to several pairs of the same cut.
       std::map<types::global_dof_index, char> sign;
-      for (unsigned int p = 0; p < seam.pairs().size(); ++p)
-        if (seam.pairs()[p].is_double() &&
-            seam.state(p) != Seam<dim>::State::tied)
+      for (unsigned int p = 0; p < pairs.size(); ++p)
+        if (pairs[p].is_double() && states[p] != PairState::tied)
           {
-            sign[seam.pairs()[p].minus[0]] = '-';
-            sign[seam.pairs()[p].plus[0]]  = '+';
+            sign[pairs[p].minus[0]] = '-';
+            sign[pairs[p].plus[0]]  = '+';
           }
       for (const auto &[index, s] : sign)
         signs[index] += s;
@@ -78,10 +77,10 @@ template <int dim>
 NodeRecords
 collect_own_records(const Body<dim> &body,
                     const ElasticModel<dim> &model,
-                    const std::vector<Seam<dim>> &seams,
+                    const std::vector<CutWall<dim>> &walls,
                     const LA::Vector &displacement)
 {
-  const auto signs           = collect_signs(seams);
+  const auto signs           = collect_signs(walls);
   const auto &discretization = model.discretization;
   StrainRecovery<dim> recovery(
     discretization, model.materials, node_points(discretization));
@@ -127,7 +126,7 @@ template <int dim>
 void
 write_node_table(const Body<dim> &body,
                  const ElasticModel<dim> &model,
-                 const std::vector<Seam<dim>> &seams,
+                 const std::vector<CutWall<dim>> &walls,
                  const LA::Vector &displacement,
                  const OutputDirectory &directory,
                  const std::string &name)
@@ -135,7 +134,7 @@ write_node_table(const Body<dim> &body,
   const MPI_Comm communicator = model.discretization.communicator;
   NodeRecords records;
   for (const auto &part : Utilities::MPI::gather(
-         communicator, collect_own_records(body, model, seams, displacement)))
+         communicator, collect_own_records(body, model, walls, displacement)))
     for (const auto &[key, record] : part)
       records[key].add(record);
   if (Utilities::MPI::this_mpi_process(communicator) > 0)
@@ -175,14 +174,14 @@ write_node_table(const Body<dim> &body,
 template void
 write_node_table(const Body<2> &,
                  const ElasticModel<2> &,
-                 const std::vector<Seam<2>> &,
+                 const std::vector<CutWall<2>> &,
                  const LA::Vector &,
                  const OutputDirectory &,
                  const std::string &);
 template void
 write_node_table(const Body<3> &,
                  const ElasticModel<3> &,
-                 const std::vector<Seam<3>> &,
+                 const std::vector<CutWall<3>> &,
                  const LA::Vector &,
                  const OutputDirectory &,
                  const std::string &);

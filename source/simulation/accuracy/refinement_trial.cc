@@ -1,8 +1,9 @@
 #include <deal.II/distributed/grid_refinement.h>
 
 #include <setsudan/cut/surface/near_cut.h>
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/accuracy/refinement_trial.h>
-#include <setsudan/simulation/row_state.h>
+#include <setsudan/simulation/drive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ RefinementTrial<dim>::RefinementTrial(const Scene<dim> &scene,
   , body(scene, refinement, communicator)
 {
   body.expect_single_states();
-  if (scene.cut.cuts.empty() || !body.approach(scene.cut.cuts.front()))
+  if (scene.cut.cuts.empty() || !body.begin_cut(scene.cut.cuts.front()))
     {
       add_state({});
       return;
@@ -44,7 +45,7 @@ RefinementTrial<dim>::RefinementTrial(const Scene<dim> &scene,
       if (open_up_to(middle))
         add_state(middle);
       else if (of_this.values.empty())
-        throw std::runtime_error(
+        throw FloatingPieceError(
           "Accuracy/States = middle row: on the way to that row the cut severs "
           "a piece that nothing holds. Take the first row.");
     }
@@ -76,14 +77,14 @@ template <int dim>
 bool
 RefinementTrial<dim>::open_up_to(const unsigned int row)
 {
-  body.open();
+  body.split_nodes(body.model().discretization.zero_vector());
   try
     {
       for (unsigned int before = 0; before < row; ++before)
         if (!body.is_left_out(before))
-          body.release(before);
+          body.release_row(before);
     }
-  catch (const std::runtime_error &)
+  catch (const FloatingPieceError &)
     {
       // A piece comes off that nothing holds: the run says so if it gets there.
       return false;
@@ -98,19 +99,18 @@ void
 RefinementTrial<dim>::add_state(const std::optional<unsigned int> &row)
 {
   State<dim> state =
-    solve_state(scene,
-                body,
-                row ? blade_on_row(body, *row) : no_blade(body),
+    solve_state(body,
+                row ? body.blade_on_row(*row) : no_blade(body.model()),
                 1,
-                body.model->discretization.zero_vector());
+                body.model().discretization.zero_vector());
   if (row && !scene.yield.needs_seam())
-    judge(scene, body, *row, state);
-  const StateError error = estimate_error_of_state(scene, body, row, state);
+    check_yield(body, *row, state);
+  const StateError error = estimate_error_of_state(body, row, state);
   of_this.values.push_back(scene.accuracy.quantity ==
                                  AccuracyParameters::Quantity::cutting_stress &&
                                state.stress.reached > 0
                              ? state.stress.reached
-                             : 0.5 * (state.displacement * state.internal));
+                             : state.strain_energy);
   const double relative =
     error_of_last(error.relative(scene.accuracy.quantity));
   worst_error = std::max(worst_error, relative);
@@ -145,7 +145,7 @@ void
 RefinementTrial<dim>::mark(const StateError &error,
                            const std::optional<unsigned int> &row)
 {
-  auto &triangulation             = body.model->discretization.triangulation;
+  auto &triangulation             = body.triangulation();
   dealii::Vector<double> of_cells = error.energy.squares;
   of_cells.scale(weights(row));
   parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
@@ -156,7 +156,7 @@ RefinementTrial<dim>::mark(const StateError &error,
     if (cell->is_locally_owned() && cell->refine_flag_set() &&
         (width == 0 || near_cut.is_near(cell)))
       cells.push_back(path_of_cell<dim>(cell));
-  cells = gather_cells(cells, body.communicator);
+  cells = gather_cells(cells, body.communicator());
 }
 
 
@@ -165,7 +165,7 @@ template <int dim>
 dealii::Vector<double>
 RefinementTrial<dim>::weights(const std::optional<unsigned int> &row) const
 {
-  const auto &triangulation = body.model->discretization.triangulation;
+  const auto &triangulation = body.model().discretization.triangulation;
   dealii::Vector<double> result(triangulation.n_active_cells());
   result = 1;
   if (!row ||
@@ -203,7 +203,7 @@ template <int dim>
 unsigned int
 RefinementTrial<dim>::n_cells() const
 {
-  return body.model->discretization.triangulation.n_global_active_cells();
+  return body.model().discretization.triangulation.n_global_active_cells();
 }
 
 

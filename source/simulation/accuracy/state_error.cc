@@ -18,12 +18,11 @@ StateError::relative(const AccuracyParameters::Quantity quantity) const
 
 template <int dim>
 StateError
-estimate_error_of_state(const Scene<dim> &scene,
-                        const CutBody<dim> &body,
+estimate_error_of_state(const CutBody<dim> &body,
                         const std::optional<unsigned int> &row,
                         const State<dim> &state)
 {
-  const auto &model = *body.model;
+  const auto &model = body.model();
   const LA::Vector displacement =
     model.discretization.with_ghosts(state.displacement);
   const RecoveredStress<dim> recovered(model, displacement);
@@ -31,37 +30,22 @@ estimate_error_of_state(const Scene<dim> &scene,
   error.energy = estimate_error(model, recovered, displacement);
   if (!row || state.stress.reached == 0)
     return error;
-  if (scene.yield.needs_seam())
-    error.cutting_stress = error.energy.relative_energy;
-  else
-    {
-      const auto smooth =
-        cutting_stress(scene.yield.criterion,
-                       front_stresses(model,
-                                      body.seam(),
-                                      body.seam_cells(),
-                                      body.seam().rows()[*row],
-                                      scene.yield,
-                                      displacement,
-                                      &recovered),
-                       scene.blade.sharpness,
-                       body.communicator);
-      error.cutting_stress =
-        std::abs(smooth.reached / state.stress.reached - 1);
-    }
+  const double smooth =
+    body.scene().criterion->reached_by(body, *row, displacement, recovered);
+  error.cutting_stress = smooth > 0
+                           ? std::abs(smooth / state.stress.reached - 1)
+                           : error.energy.relative_energy;
   return error;
 }
 
 
 
 template StateError
-estimate_error_of_state(const Scene<2> &,
-                        const CutBody<2> &,
+estimate_error_of_state(const CutBody<2> &,
                         const std::optional<unsigned int> &,
                         const State<2> &);
 template StateError
-estimate_error_of_state(const Scene<3> &,
-                        const CutBody<3> &,
+estimate_error_of_state(const CutBody<3> &,
                         const std::optional<unsigned int> &,
                         const State<3> &);
 } // namespace Setsudan

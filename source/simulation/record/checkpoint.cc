@@ -16,83 +16,24 @@ namespace Setsudan
 {
 using namespace dealii;
 
-namespace
-{
-template <typename Archive, typename... Values>
-void
-archive_all(Archive &archive, Values &...values)
-{
-  (archive & ... & values);
-}
-} // namespace
-
-
 // What boost::serialization calls for each of the structs.
-
-template <typename Archive>
-void
-serialize(Archive &archive, Event &event, const unsigned int)
-{
-  bool has_errors = event.errors.has_value();
-  auto errors     = event.errors.value_or(std::array<double, 2>());
-  archive_all(archive,
-              event.frame,
-              event.name,
-              event.cut,
-              event.row,
-              event.released_rows,
-              event.depth,
-              event.load_factor,
-              event.blade_force,
-              event.cutting_stress,
-              event.required_stress,
-              event.strain_energy,
-              event.potential_energy,
-              event.max_displacement,
-              event.force_residual,
-              event.moment_residual,
-              event.min_jacobian,
-              event.pieces,
-              event.seconds,
-              event.max_strain,
-              event.max_shear,
-              event.reaction,
-              event.clamp_force,
-              event.overlap,
-              event.row_pieces,
-              has_errors,
-              errors);
-  if (has_errors)
-    event.errors = errors;
-}
-
-
 
 template <typename Archive>
 void
 serialize(Archive &archive, Doubts &doubts, const unsigned int)
 {
-  archive_all(archive,
-              doubts.n_states,
-              doubts.strain,
-              doubts.jacobian,
-              doubts.overlap,
-              doubts.round_off);
+  archive &doubts.n_states &doubts.strain &doubts.jacobian &doubts
+    .overlap &doubts.round_off;
 }
+
+
 
 template <typename Archive>
 void
 serialize(Archive &archive, Record &record, const unsigned int)
 {
-  archive_all(archive,
-              record.table,
-              record.sequence,
-              record.doubts,
-              record.warned,
-              record.earlier_depths,
-              record.framed_at,
-              record.cut_began,
-              record.seconds);
+  archive &record.table &record.sequence &record.doubts &record.warned &record
+    .earlier_depths &record.framed_at &record.cut_began &record.seconds;
 }
 
 
@@ -101,7 +42,7 @@ template <typename Archive>
 void
 serialize(Archive &archive, Refinement &refinement, const unsigned int)
 {
-  archive_all(archive, refinement.global_levels, refinement.refined);
+  archive &refinement.global_levels &refinement.refined;
 }
 
 
@@ -110,17 +51,10 @@ template <typename Archive>
 void
 serialize(Archive &archive, Checkpoint &checkpoint, const unsigned int)
 {
-  archive_all(archive,
-              checkpoint.stage,
-              checkpoint.n_frames,
-              checkpoint.refinement,
-              checkpoint.event,
-              checkpoint.record,
-              checkpoint.load_factor,
-              checkpoint.stress.reached,
-              checkpoint.stress.required,
-              checkpoint.yields,
-              checkpoint.displacement);
+  archive &checkpoint.stage &checkpoint.n_frames &checkpoint
+    .refinement &checkpoint.event &checkpoint.record &checkpoint
+    .load_factor &checkpoint.stress.reached &checkpoint.stress
+    .required &checkpoint.yields &checkpoint.displacement;
 }
 
 
@@ -174,7 +108,7 @@ read_checkpoint(const OutputDirectory &directory, const MPI_Comm communicator)
     {
       if (bytes.size() < signature.size() ||
           !std::equal(signature.begin(), signature.end(), bytes.begin()))
-        throw std::runtime_error("signature");
+        throw SceneError("signature");
       return Utilities::unpack<Checkpoint>(
         bytes.begin() + signature.size(), bytes.end(), false);
     }
@@ -207,36 +141,33 @@ store_state(const State<dim> &state,
 
 template <int dim>
 State<dim>
-restore_state(const Scene<dim> &scene,
-              const Checkpoint &checkpoint,
-              CutBody<dim> &body)
+restore_state(const Checkpoint &checkpoint, const CutBody<dim> &body)
 {
-  LA::Vector displacement = body.model->discretization.zero_vector();
-  const unsigned int rank = Utilities::MPI::this_mpi_process(body.communicator);
-  const auto &own         = checkpoint.displacement[rank];
-  const auto n            = displacement.local_size();
-  bool fits               = own.size() == n;
-  fits = Utilities::MPI::min(static_cast<int>(fits), body.communicator) == 1;
+  const auto &model = body.model();
+  Solution solution;
+  solution.displacement = model.discretization.zero_vector();
+  const auto &own =
+    checkpoint
+      .displacement[Utilities::MPI::this_mpi_process(body.communicator())];
+  const auto n = solution.displacement.local_size();
+  bool fits    = own.size() == n;
+  fits = Utilities::MPI::min(static_cast<int>(fits), body.communicator()) == 1;
   State<dim> state;
   if (fits)
     {
-      std::copy(own.begin(), own.end(), displacement.begin());
-      // The first matrices of a model may differ by round-off from those of
-      // later sums, which begin with the shape that the last one ended with.
-      body.internal_forces(displacement);
-      state               = make_state(scene,
-                         body,
-                         checkpoint.stage == Checkpoint::Stage::divided
-                                         ? no_blade(body)
-                                         : blade_on_row(body, checkpoint.event.row),
-                         checkpoint.load_factor,
-                         displacement);
-      const double energy = 0.5 * (state.displacement * state.internal);
-      fits                = std::abs(energy - checkpoint.event.strain_energy) <=
-             1e-10 * std::abs(energy);
+      std::copy(own.begin(), own.end(), solution.displacement.begin());
+      solution.internal = internal_forces(model, solution.displacement);
+      state             = loaded_state(body,
+                           checkpoint.stage == Checkpoint::Stage::divided
+                                         ? no_blade(model)
+                                         : body.blade_on_row(checkpoint.event.row),
+                           checkpoint.load_factor);
+      set_solution(std::move(solution), state);
+      fits = std::abs(state.strain_energy - checkpoint.event.strain_energy) <=
+             1e-10 * std::abs(state.strain_energy);
     }
   if (!fits)
-    throw SceneError("The checkpoint in '" + scene.output.directory +
+    throw SceneError("The checkpoint in '" + body.scene().output.directory +
                      "' is not of this body, whose file must have been "
                      "changed: the run cannot be resumed. Start it anew, "
                      "without --resume.");
@@ -250,9 +181,9 @@ restore_state(const Scene<dim> &scene,
 template void
 store_state(const State<2> &, const MPI_Comm, Checkpoint &);
 template State<2>
-restore_state(const Scene<2> &, const Checkpoint &, CutBody<2> &);
+restore_state(const Checkpoint &, const CutBody<2> &);
 template void
 store_state(const State<3> &, const MPI_Comm, Checkpoint &);
 template State<3>
-restore_state(const Scene<3> &, const Checkpoint &, CutBody<3> &);
+restore_state(const Checkpoint &, const CutBody<3> &);
 } // namespace Setsudan

@@ -80,20 +80,20 @@ add_blade(const CutBody<dim> &body,
 
 template <int dim>
 FrameFacts
-frame_facts(const Scene<dim> &scene,
-            const CutBody<dim> &body,
+frame_facts(const CutBody<dim> &body,
             const BladeLoad<dim> &blade,
             const Event &event,
             const double time)
 {
   FrameFacts facts;
-  facts.of_state = {number("TimeValue", time),
-                    number("event", number_of_event(event.name), event.name),
-                    number("cut", std::int32_t(event.cut)),
-                    number("row", std::int32_t(event.row)),
-                    number("depth", event.depth, scene.length_unit),
-                    number("load_factor", event.load_factor),
-                    number("blade_force", event.blade_force, scene.force_unit)};
+  facts.of_state = {
+    number("TimeValue", time),
+    number("event", number_of_event(event.name), event.name),
+    number("cut", std::int32_t(event.cut)),
+    number("row", std::int32_t(event.row)),
+    number("depth", event.depth, body.scene().length_unit),
+    number("load_factor", event.load_factor),
+    number("blade_force", event.blade_force, body.scene().force_unit)};
   if (blade.row)
     add_blade(body, blade, event.load_factor, facts);
   return facts;
@@ -102,14 +102,12 @@ frame_facts(const Scene<dim> &scene,
 
 
 template FrameFacts
-frame_facts(const Scene<2> &,
-            const CutBody<2> &,
+frame_facts(const CutBody<2> &,
             const BladeLoad<2> &,
             const Event &,
             const double);
 template FrameFacts
-frame_facts(const Scene<3> &,
-            const CutBody<3> &,
+frame_facts(const CutBody<3> &,
             const BladeLoad<3> &,
             const Event &,
             const double);

@@ -5,6 +5,7 @@
 #include <setsudan/output/pieces/piece_mesh.h>
 #include <setsudan/output/pieces/piece_table.h>
 #include <setsudan/output/tables/node_table.h>
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/record/frame_facts.h>
 #include <setsudan/simulation/record/recorder.h>
@@ -154,7 +155,7 @@ Recorder<dim>::error_squares_of(const CutBody<dim> &body,
   // At rest there is no error.
   if (scene.accuracy.estimate && state.error_squares.size() == 0)
     return Vector<double>(
-      body.model->discretization.triangulation.n_active_cells());
+      body.model().discretization.triangulation.n_active_cells());
   return state.error_squares;
 }
 
@@ -195,25 +196,25 @@ Recorder<dim>::write_state(const CutBody<dim> &body,
   if (!framed && !scene.output.node_tables)
     return;
   const LA::Vector displacement =
-    body.model->discretization.with_ghosts(state.displacement);
+    body.model().discretization.with_ghosts(state.displacement);
   if (framed)
     {
       const double time = next_time(event);
       frames.write(event.frame,
                    time,
-                   body.communicator,
-                   std::make_shared<const VtuGrid>(frame_content(
-                     scene.body,
-                     *body.model,
-                     displacement,
-                     body.labels,
-                     error_squares_of(body, state),
-                     frame_facts(scene, body, blade, event, time))));
+                   body.communicator(),
+                   std::make_shared<const VtuGrid>(
+                     frame_content(scene.body,
+                                   body.model(),
+                                   displacement,
+                                   body.labels(),
+                                   error_squares_of(body, state),
+                                   frame_facts(body, blade, event, time))));
     }
   if (scene.output.node_tables)
     write_node_table(scene.body,
-                     *body.model,
-                     body.seams,
+                     body.model(),
+                     body.walls(),
                      displacement,
                      directory,
                      "nodes_" + Utilities::to_string(event.frame, 4) + ".csv");
@@ -228,9 +229,9 @@ Recorder<dim>::write_deck(const CutBody<dim> &body,
                           const std::string &name) const
 {
   const auto constraints = body.constraints();
-  const auto prescribed  = prescribed_displacement(body, state);
-  const auto problem     = gather_problem<dim>({body.mesh,
-                                                *body.model,
+  const auto prescribed  = lift_of(body, state);
+  const auto problem     = gather_problem<dim>({body.mesh(),
+                                                body.model(),
                                                 constraints,
                                                 prescribed,
                                                 state.forces,
@@ -247,9 +248,9 @@ void
 Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
 {
   const auto displacements = gather_displacements(
-    body.model->discretization,
-    body.mesh.cells.size(),
-    body.model->discretization.with_ghosts(state.displacement));
+    body.model().discretization,
+    body.mesh().cells.size(),
+    body.model().discretization.with_ghosts(state.displacement));
   if (!is_first_process)
     return;
 
@@ -259,7 +260,7 @@ Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
   double volume       = 0;
   unsigned int number = 0;
   for (auto &piece :
-       make_piece_meshes(body.mesh, body.labels.piece, scene.body))
+       make_piece_meshes(body.mesh(), body.labels().piece, scene.body))
     {
       volume += piece.volume();
       set_displacements(displacements, piece);
@@ -272,15 +273,14 @@ Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
       write_piece_vtu(piece, directory, name + ".vtu");
     }
   directory.write("pieces.csv", [&](std::ostream &out) {
-    write_piece_table(summarize_pieces(scene.body, body.labels.piece),
+    write_piece_table(summarize_pieces(scene.body, body.labels().piece),
                       scene.loads.body_force,
                       out);
   });
   if (!(std::abs(volume - volume_of_body) <= 1e-12 * volume_of_body))
-    throw std::runtime_error("The pieces' volumes sum up to " +
-                             short_text(volume) + " and the body's is " +
-                             short_text(volume_of_body) +
-                             ": material was lost or made by the surgery.");
+    throw InvariantError("The pieces' volumes sum up to " + short_text(volume) +
+                         " and the body's is " + short_text(volume_of_body) +
+                         ": material was lost or made by the surgery.");
 }
 
 

@@ -92,40 +92,14 @@ find_earlier_run(const Scene<dim> &scene,
 
 
 
-namespace
-{
-/** Prepare the equations of a row as for its solve: a factor that grows from
- * row to row has the same digits only if it grows by the same steps, and what
- * multigrid keeps from rows before the last one must be there. */
 template <int dim>
 void
-repeat_preparation(const Scene<dim> &scene,
-                   const unsigned int row,
-                   const unsigned int last_row,
-                   CutBody<dim> &body)
+repeat_surgeries(const Checkpoint &checkpoint, CutBody<dim> &body)
 {
-  constexpr unsigned int n = EquilibriumChoice<dim>::rows_per_preparation;
-  const bool is_kept =
-    !scene.solver.is_direct(body.model->discretization.dof_handler.n_dofs()) &&
-    row >= last_row / n * n;
-  if ((!body.why_anew().empty() && !is_kept) || body.is_left_out(row))
-    return;
-  body.equilibrium();
-  if (scene.yield.needs_seam())
-    body.equilibrium_without(row);
-}
-} // namespace
-
-
-template <int dim>
-void
-repeat_surgeries(const Scene<dim> &scene,
-                 const Checkpoint &checkpoint,
-                 CutBody<dim> &body)
-{
+  const auto &scene = body.scene();
   for (unsigned int cut = 0; cut <= checkpoint.event.cut; ++cut)
     {
-      if (!body.approach(scene.cut.cuts[cut]))
+      if (!body.begin_cut(scene.cut.cuts[cut]))
         continue;
       const bool divided = cut < checkpoint.event.cut ||
                            checkpoint.stage == Checkpoint::Stage::divided;
@@ -133,18 +107,12 @@ repeat_surgeries(const Scene<dim> &scene,
         divided ? body.seam().rows().size() : checkpoint.event.row;
       if (n_split == 0 && !scene.yield.needs_seam())
         continue;
-      body.open();
-      if (!divided && scene.yield.needs_seam())
-        repeat_preparation(scene, 0, n_split, body);
+      body.split_nodes(body.model().discretization.zero_vector());
       for (unsigned int row = 0; row < n_split; ++row)
-        {
-          if (!body.is_left_out(row))
-            body.release(row);
-          if (!divided)
-            repeat_preparation(scene, row + 1, n_split, body);
-        }
+        if (!body.is_left_out(row))
+          body.release_row(row);
       if (divided)
-        body.divide();
+        body.finish_cut();
     }
 }
 
@@ -153,9 +121,9 @@ repeat_surgeries(const Scene<dim> &scene,
 template EarlierRun
 find_earlier_run(const Scene<2> &, const Parameters &, const MPI_Comm);
 template void
-repeat_surgeries(const Scene<2> &, const Checkpoint &, CutBody<2> &);
+repeat_surgeries(const Checkpoint &, CutBody<2> &);
 template EarlierRun
 find_earlier_run(const Scene<3> &, const Parameters &, const MPI_Comm);
 template void
-repeat_surgeries(const Scene<3> &, const Checkpoint &, CutBody<3> &);
+repeat_surgeries(const Checkpoint &, CutBody<3> &);
 } // namespace Setsudan

@@ -42,7 +42,7 @@ are_equal(const LA::Vector &a, const LA::Vector &b)
 
 template <int dim>
 CondensedSolver<dim>::CondensedSolver(
-  ElasticModel<dim> &model,
+  const ElasticModel<dim> &model,
   std::shared_ptr<const Constraints> base_constraints,
   const IndexSet &cut_unknowns)
   : model(model)
@@ -55,7 +55,7 @@ CondensedSolver<dim>::CondensedSolver(
   assemble_stiffness(model.discretization, model.stiffness, *base, matrix);
   largest_entry = matrix.linfty_norm();
   condensation  = std::make_unique<StaticCondensation>(matrix, cut);
-  reduced = std::make_unique<InterfaceSystem>(cut, condensation->stiffness());
+  interface = std::make_unique<InterfaceSystem>(cut, condensation->stiffness());
 }
 
 
@@ -63,11 +63,11 @@ CondensedSolver<dim>::CondensedSolver(
 template <int dim>
 bool
 CondensedSolver<dim>::set_constraints(
-  std::shared_ptr<const Constraints> new_step)
+  std::shared_ptr<const Constraints> new_constraints)
 {
-  if (!reduced->set_constraints(*new_step))
+  if (!interface->set_constraints(*new_constraints))
     return false;
-  step = std::move(new_step);
+  constraints = std::move(new_constraints);
   return true;
 }
 
@@ -75,28 +75,18 @@ CondensedSolver<dim>::set_constraints(
 
 template <int dim>
 bool
-CondensedSolver<dim>::append_stage(const Constraints &later)
+CondensedSolver<dim>::append_stage(const Constraints &stage)
 {
-  return reduced->append_stage(later);
+  return interface->append_stage(stage);
 }
 
 
 
 template <int dim>
 void
-CondensedSolver<dim>::factorize_foreseen()
+CondensedSolver<dim>::factorize_stages()
 {
-  reduced->factorize_foreseen();
-}
-
-
-
-template <int dim>
-double
-CondensedSolver<dim>::memory(const unsigned int n)
-{
-  // Both sides of the cut at once, each for itself, and what grows.
-  return 8. * n * n * (1 + 0.5 + 1);
+  interface->factorize_stages();
 }
 
 
@@ -129,25 +119,35 @@ CondensedSolver<dim>::forward_eliminate(const LA::Vector &loads,
 
 
 template <int dim>
-LA::Vector
-CondensedSolver<dim>::solve_for(const LA::Vector &b,
-                                const std::vector<double> &opening,
-                                const bool is_remembered)
+typename CondensedSolver<dim>::InterfaceState
+CondensedSolver<dim>::solve_interface(const LA::Vector &b,
+                                      const std::vector<double> &opening,
+                                      const bool is_remembered)
 {
-  auto eliminated = forward_eliminate(b, is_remembered);
+  InterfaceState state;
+  state.loads = forward_eliminate(b, is_remembered);
+  auto forces = state.loads.on_cut;
   if (!opening.empty())
     {
       const auto resistance = condensation->stiffness().multiply(opening);
       for (unsigned int i = 0; i < cut.size(); ++i)
-        eliminated.on_cut[i] -= resistance[i];
+        forces[i] -= resistance[i];
     }
-
-  auto of_cut = reduced->displacement(eliminated.on_cut.data());
+  state.displacement = interface->displacement(forces.data());
   if (!opening.empty())
     for (unsigned int i = 0; i < cut.size(); ++i)
-      of_cut[i] += opening[i];
-  LA::Vector x = b;
-  condensation->back_substitute(std::move(eliminated), of_cut, x);
+      state.displacement[i] += opening[i];
+  return state;
+}
+
+
+
+template <int dim>
+LA::Vector
+CondensedSolver<dim>::recover(InterfaceState &&state) const
+{
+  LA::Vector x = model.discretization.zero_vector();
+  condensation->back_substitute(std::move(state.loads), state.displacement, x);
   distribute(*base, x);
   return x;
 }
@@ -156,11 +156,11 @@ CondensedSolver<dim>::solve_for(const LA::Vector &b,
 
 template <int dim>
 std::vector<double>
-CondensedSolver<dim>::take_opening(LA::Vector &prescribed) const
+CondensedSolver<dim>::take_opening(LA::Vector &lift) const
 {
   std::vector<double> opening(cut.size());
   for (unsigned int i = 0; i < cut.size(); ++i)
-    opening[i] = entries(prescribed)[cut[i]];
+    opening[i] = entries(lift)[cut[i]];
   if (std::all_of(
         opening.begin(), opening.end(), [](const double u) { return u == 0; }))
     return {};
@@ -168,7 +168,7 @@ CondensedSolver<dim>::take_opening(LA::Vector &prescribed) const
   for (unsigned int i = 0; i < cut.size(); ++i)
     entries(displacement)[cut[i]] = opening[i];
   distribute(*base, displacement);
-  prescribed -= displacement;
+  lift -= displacement;
   return opening;
 }
 
@@ -176,106 +176,97 @@ CondensedSolver<dim>::take_opening(LA::Vector &prescribed) const
 
 template <int dim>
 LA::Vector
-CondensedSolver<dim>::loads_beside(const LA::Vector &forces,
-                                   const LA::Vector &beyond_cut)
+CondensedSolver<dim>::residual_of_lift(const LA::Vector &forces,
+                                       const LA::Vector &lift_off_cut)
 {
-  if (!are_equal(beyond_cut, remembered_beyond))
+  if (!are_equal(lift_off_cut, remembered_lift))
     {
-      remembered_beyond = beyond_cut;
-      forces_of_beyond  = internal_forces(model, beyond_cut);
+      remembered_lift = lift_off_cut;
+      forces_of_lift  = internal_forces(model, lift_off_cut);
     }
-  LA::Vector loads = forces;
-  loads -= forces_of_beyond;
-  return loads;
+  LA::Vector residual = forces;
+  residual -= forces_of_lift;
+  return residual;
 }
 
 
 
 template <int dim>
-LA::Vector
+Solution
 CondensedSolver<dim>::solve(const LA::Vector &forces,
-                            const LA::Vector &prescribed,
+                            const LA::Vector &lift,
                             const LA::Vector &)
 {
-  Refined mending;
-  mending.residual_of = [&](const LA::Vector &displacement) {
-    LA::Vector rest = forces;
-    rest -= internal_forces(model, displacement);
-    return rest;
+  RefinedSystem system;
+  system.residual_of = [&](const LA::Vector &displacement) {
+    LA::Vector residual = forces;
+    residual -= internal_forces(model, displacement);
+    return residual;
   };
-  mending.norm = [&](const LA::Vector &rest) {
-    return condense(*step, rest).l2_norm();
+  system.norm = [&](const LA::Vector &residual) {
+    return condense(*constraints, residual).l2_norm();
   };
-  mending.correction = [&](const LA::Vector &rest) {
-    return solve_for(condense(*base, rest), {}, false);
+  system.correction = [&](const LA::Vector &residual) {
+    return recover(solve_interface(condense(*base, residual), {}, false));
   };
-  LA::Vector beyond_cut = prescribed;
-  const auto opening    = take_opening(beyond_cut);
-  const auto loads      = loads_beside(forces, beyond_cut);
+  LA::Vector lift_off_cut = lift;
+  const auto opening      = take_opening(lift_off_cut);
+  const auto loads        = residual_of_lift(forces, lift_off_cut);
   const double scale =
-    mending.norm(opening.empty() ? loads : mending.residual_of(prescribed));
+    system.norm(opening.empty() ? loads : system.residual_of(lift));
   check_loads(scale);
-  LA::Vector x = solve_for(condense(*base, loads), opening, true);
-  x += beyond_cut;
+
+  Solution solution;
+  LA::Vector &x = solution.displacement;
+  x = recover(solve_interface(condense(*base, loads), opening, true));
+  x += lift_off_cut;
   // Less than this is lost in the products of K x already.
   const double round_off =
     std::numeric_limits<double>::epsilon() * largest_entry * x.l2_norm();
-  const LA::Vector rest = iterative_refinement(
-    x, std::max(scale * refinement_threshold, round_off), mending);
-  judge(x, rest, scale, mending);
-  return x;
-}
-
-
-
-template <int dim>
-void
-CondensedSolver<dim>::judge(const LA::Vector &x,
-                            const LA::Vector &rest,
-                            const double scale,
-                            const Refined &mending)
-{
-  // As long as the body yields little more than when it was last looked at, a
-  // residual stands for about as much displacement as then.
-  constexpr double much_more = 4;
-  // Below this nobody needs to know more than that it is small.
-  constexpr double small = 1e-9;
-  const double error     = mending.norm(rest);
-  const double largest   = x.linfty_norm();
-  quality.residual       = scale > 0 ? error / scale : 0;
-  quality.estimated_relative_error =
-    largest > 0 ? error * per_residual / largest : 0;
-  if (error > 0 && (largest > much_more * scale * known_compliance ||
-                    !(quality.estimated_relative_error <= small)))
-    {
-      const LA::Vector correction = mending.correction(rest);
-      quality                     = quality_of(x, correction, error, scale);
-      per_residual                = correction.linfty_norm() / error;
-      known_compliance            = scale > 0 ? largest / scale : 0;
-    }
-  if (!converged(error, scale, largest_entry, x))
-    fail();
-}
-
-
-
-template <int dim>
-void
-CondensedSolver<dim>::fail() const
-{
-  std::ostringstream message;
-  message << "The condensed solve left a relative residual of "
-          << quality.residual << ", which must not exceed " << failure_threshold
-          << ". Set Division/Solve = every row anew.";
-  throw SolverError(message.str());
+  const LA::Vector residual = iterative_refinement(
+    x, std::max(scale * refinement_threshold, round_off), system);
+  solution.internal = forces;
+  solution.internal -= residual;
+  solution.quality = check_quality(x, residual, scale, system);
+  return solution;
 }
 
 
 
 template <int dim>
 SolveQuality
-CondensedSolver<dim>::quality_of_last() const
+CondensedSolver<dim>::check_quality(const LA::Vector &x,
+                                    const LA::Vector &residual,
+                                    const double scale,
+                                    const RefinedSystem &system)
 {
+  // As long as the body yields little more than when it was last looked at, a
+  // residual stands for about as much displacement as then.
+  constexpr double much_more = 4;
+  // Below this nobody needs to know more than that it is small.
+  constexpr double small = 1e-9;
+  const double norm      = system.norm(residual);
+  const double largest   = x.linfty_norm();
+  SolveQuality quality;
+  quality.residual = scale > 0 ? norm / scale : 0;
+  quality.estimated_relative_error =
+    largest > 0 ? norm * per_residual / largest : 0;
+  if (norm > 0 && (largest > much_more * scale * known_compliance ||
+                   !(quality.estimated_relative_error <= small)))
+    {
+      const LA::Vector correction = system.correction(residual);
+      quality                     = quality_of(x, correction, norm, scale);
+      per_residual                = correction.linfty_norm() / norm;
+      known_compliance            = scale > 0 ? largest / scale : 0;
+    }
+  if (!converged(norm, scale, largest_entry, x))
+    {
+      std::ostringstream message;
+      message << "The condensed solve left a relative residual of "
+              << quality.residual << ", which must not exceed "
+              << failure_threshold << ". Set Division/Solve = every row anew.";
+      throw SolverError(message.str());
+    }
   return quality;
 }
 

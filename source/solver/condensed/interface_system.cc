@@ -99,20 +99,18 @@ InterfaceSystem::n_that_fit(const std::vector<unsigned int> &free,
 
 
 bool
-InterfaceSystem::place(const Constraints &step)
+InterfaceSystem::place(const Constraints &stage)
 {
   std::vector<unsigned int> free;
   std::vector<Column> columns;
-  if (!columns_of(step, free, columns))
+  if (!columns_of(stage, free, columns))
     return false;
   const unsigned int n_kept = n_that_fit(free, columns);
   n_columns                 = free.size();
-  // What a later step has added does no harm.
+  // What a later stage has added does no harm.
   if (n_kept == n_columns)
     return true;
   factor.shrink(std::min(factor.size(), n_kept));
-  while (!n_columns_of.empty() && n_columns_of.back() > n_kept)
-    n_columns_of.pop_back();
   free_unknowns.resize(n_kept);
   basis.resize(n_kept);
   std::vector<bool> is_known(unknowns.size(), false);
@@ -130,32 +128,17 @@ InterfaceSystem::place(const Constraints &step)
 
 
 bool
-InterfaceSystem::append_stage(const Constraints &step)
+InterfaceSystem::append_stage(const Constraints &stage)
 {
-  if (!place(step))
-    return false;
-  n_columns_of.push_back(n_columns);
-  return true;
+  return place(stage);
 }
 
 
 
 void
-InterfaceSystem::factorize_foreseen()
+InterfaceSystem::factorize_stages()
 {
   factorize(basis.size());
-}
-
-
-
-bool
-InterfaceSystem::activate_stage(const unsigned int step)
-{
-  if (step >= n_columns_of.size())
-    return false;
-  n_columns = n_columns_of[step];
-  factorize(n_columns);
-  return true;
 }
 
 
@@ -178,9 +161,9 @@ InterfaceSystem::factorize(const unsigned int n)
 
 
 bool
-InterfaceSystem::set_constraints(const Constraints &step)
+InterfaceSystem::set_constraints(const Constraints &stage)
 {
-  if (!place(step))
+  if (!place(stage))
     return false;
   factorize(n_columns);
   return true;

@@ -20,12 +20,4 @@ CholeskySolver::solve(LA::Vector &x, const LA::Vector &b)
   factor->back_substitute(ordered);
   factor->from_order(ordered, x);
 }
-
-
-
-std::string
-CholeskySolver::description() const
-{
-  return "direct (CHOLMOD)";
-}
 } // namespace Setsudan

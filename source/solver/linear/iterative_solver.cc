@@ -59,14 +59,6 @@ IterativeSolver::approximate(LA::Vector &x, const LA::Vector &b)
 
 
 
-std::string
-IterativeSolver::description() const
-{
-  return "iterative (conjugate gradients with algebraic multigrid)";
-}
-
-
-
 bool
 IterativeSolver::is_iterative() const
 {

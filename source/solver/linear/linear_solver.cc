@@ -1,22 +1,20 @@
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/exceptions.h>
 
 #include <setsudan/solver/linear/cholesky_solver.h>
-#include <setsudan/solver/linear/direct_solver.h>
 #include <setsudan/solver/linear/iterative_solver.h>
 #include <setsudan/solver/linear/linear_solver.h>
+#include <setsudan/solver/linear/mumps_solver.h>
 
 namespace Setsudan
 {
 std::unique_ptr<LinearSolver>
-make_linear_solver(const SolverParameters &parameters,
-                   const dealii::types::global_dof_index n_unknowns,
-                   const MPI_Comm communicator)
+make_linear_solver(const SolverKind kind, const SolverParameters &parameters)
 {
-  if (!parameters.is_direct(n_unknowns))
-    return std::make_unique<IterativeSolver>(parameters);
-  if (n_unknowns > DirectSolver::small_size &&
-      dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+  if (kind == SolverKind::cholesky)
     return std::make_unique<CholeskySolver>();
-  return std::make_unique<DirectSolver>(n_unknowns);
+  if (kind == SolverKind::mumps)
+    return std::make_unique<MumpsSolver>();
+  Assert(kind == SolverKind::algebraic_multigrid, dealii::ExcInternalError());
+  return std::make_unique<IterativeSolver>(parameters);
 }
 } // namespace Setsudan

@@ -10,7 +10,7 @@ using namespace dealii;
 
 template <int dim>
 CoarseCorrection<dim>::CoarseCorrection(
-  ElasticModel<dim> &model,
+  const ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const LocalConstraints &lines)
   : space(model, constraints, lines)

@@ -11,7 +11,7 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-Q1CoarseSpace<dim>::Q1CoarseSpace(ElasticModel<dim> &model,
+Q1CoarseSpace<dim>::Q1CoarseSpace(const ElasticModel<dim> &model,
                                   const Constraints &constraints,
                                   const LocalConstraints &lines)
   : model(model)

@@ -54,18 +54,18 @@ struct SurfaceNodes
 };
 
 /**
- * All node pairs of a cut surface, the same on every process. They are found
- * face by face and by name: a position alone may belong to several nodes once
- * the body has been cut before, or where cells are refined.
+ * All node pairs of cut surfaces, each for itself, the same on every process.
+ * They are found face by face and by name: a position alone may belong to
+ * several nodes once the body has been cut before, or where cells are refined.
  *
- * @param split the mesh after the surgery along this surface, whether it has
+ * @param split the mesh after the surgery along these surfaces, whether it has
  * been made or not.
- * @pre no node of the surface hangs (see refine_near_cuts()).
+ * @pre no node of the surfaces hangs (see refine_near_cuts()).
  */
 template <int dim>
-SurfaceNodes<dim>
+std::vector<SurfaceNodes<dim>>
 collect_surface_nodes(const ElasticModel<dim> &model,
-                      const CutSurface<dim> &surface,
+                      const std::vector<CutSurface<dim>> &surfaces,
                       const Body<dim> &body,
                       const CoarseMesh<dim> &split);
 } // namespace Setsudan

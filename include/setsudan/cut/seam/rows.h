@@ -20,16 +20,6 @@ struct DivisionParameters
     ramp
   };
 
-  /** How the states behind each row are solved. */
-  enum class Solve
-  {
-    automatic,
-    one_factorization,
-    condensed,
-    anew,
-    iterative
-  };
-
   Release release;
   /** Whether the blade keeps the sides of split rows apart; else they are
    * free. */
@@ -38,7 +28,6 @@ struct DivisionParameters
   double row_tolerance;
   LoadControl load_control;
   double max_load_factor;
-  Solve solve;
 
   static void
   declare(dealii::ParameterHandler &handler);

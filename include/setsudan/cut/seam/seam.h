@@ -8,24 +8,28 @@
 
 namespace Setsudan
 {
+/** How the two nodes of a pair are held together. */
+enum class PairState
+{
+  /** They move as one. */
+  tied,
+  /** The blade keeps them its thickness apart, along the normal. */
+  opened,
+  free
+};
+
+using PairStates = std::vector<PairState>;
+
 /**
- * What holds the two sides of a cut together: a list of node pairs in rows,
- * each pair tied (the sides move as one), opened (the blade keeps them its
- * thickness apart, along the normal) or free. Before the surgery all pairs are
- * single nodes and there is nothing to hold.
+ * The two sides of a cut as a list of node pairs in rows. What holds the sides
+ * together is a pure function of the states of the pairs. Before the surgery
+ * all pairs are single nodes and there is nothing to hold.
  */
 template <int dim>
 class Seam
 {
 public:
-  enum class State
-  {
-    tied,
-    opened,
-    free
-  };
-
-  /** A seam of which all pairs are tied. */
+  /** @throw CutError where more than two sides meet at a node. */
   Seam(const std::vector<NodePair<dim>> &pairs, const std::vector<Row> &rows);
 
   const std::vector<NodePair<dim>> &
@@ -34,23 +38,18 @@ public:
   const std::vector<Row> &
   rows() const;
 
-  State
-  state(const unsigned int pair) const;
+  /** The states when the first rows are split, each pair of them being in the
+   * state `split`, and the others are tied. */
+  PairStates
+  states_after(const unsigned int n_split, const PairState split) const;
 
-  /** Whether any pair is not free. */
-  bool
-  holds() const;
-
-  /** Pairs that are free stay so. */
-  void
-  set_row_state(const unsigned int row, const State state);
-
-  void
-  set_all_states(const State state);
+  /** Free a row besides. */
+  PairStates
+  released(PairStates states, const unsigned int row) const;
 
   /**
-   * Let go of all pairs with a node in one of some pieces, which are left out:
-   * they are no part of any front any more, and a front may become empty.
+   * Leave out all pairs with a node in one of some pieces: they are free in all
+   * states and no part of any front any more; a front may become empty.
    *
    * @param pieces the piece of every element behind the surgery.
    */
@@ -61,7 +60,8 @@ public:
   /** What the pairs let no two pieces do against each other: move at all where
    * they are tied, along the normal where they are opened. */
   std::vector<PieceLink<dim>>
-  links(const std::vector<unsigned int> &pieces) const;
+  links(const PairStates &states,
+        const std::vector<unsigned int> &pieces) const;
 
   /** Number of pairs with a node on each side. */
   unsigned int
@@ -80,14 +80,17 @@ public:
    * loose piece is held there, the other one follows it.
    */
   void
-  add_constraints(dealii::AffineConstraints<double> &constraints) const;
+  add_constraints(const PairStates &states,
+                  dealii::AffineConstraints<double> &constraints) const;
 
   /**
    * A displacement that has the opening of the opened pairs,
    * n.(u+ - u-) = thickness, by as few unknowns as possible.
    */
   LA::Vector
-  opening(const ElasticModel<dim> &model, const double thickness) const;
+  opening(const PairStates &states,
+          const ElasticModel<dim> &model,
+          const double thickness) const;
 
 private:
   /** The side of a pair whose unknowns its constraints determine. A node may be
@@ -99,7 +102,6 @@ private:
     plus
   };
 
-  /** @throw std::runtime_error where two sides are not enough. */
   void
   choose_dependent_sides();
 
@@ -115,7 +117,8 @@ private:
 
   std::vector<NodePair<dim>> node_pairs;
   std::vector<Row> node_rows;
-  std::vector<State> states;
+  /** Of pairs that have been left out. */
+  std::vector<bool> is_left_out;
   std::vector<Dependent> dependent_sides;
 };
 } // namespace Setsudan

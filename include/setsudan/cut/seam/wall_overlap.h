@@ -4,6 +4,14 @@
 
 namespace Setsudan
 {
+/** The node pairs of a cut, and how they are held together. */
+template <int dim>
+struct CutWall
+{
+  std::vector<NodePair<dim>> pairs;
+  PairStates states;
+};
+
 /** Where the two walls of a cut have moved through each other the farthest. */
 template <int dim>
 struct WallOverlap
@@ -20,12 +28,12 @@ struct WallOverlap
  * n.(u+ - u-) < 0. Nothing in a body without contact prevents it. Called by all
  * processes.
  *
- * @param seams        of all cuts.
+ * @param walls        of all cuts.
  * @param displacement without ghosts.
  */
 template <int dim>
 WallOverlap<dim>
-find_wall_overlap(const std::vector<Seam<dim>> &seams,
+find_wall_overlap(const std::vector<CutWall<dim>> &walls,
                   const LA::Vector &displacement,
                   const MPI_Comm communicator);
 } // namespace Setsudan

@@ -97,7 +97,7 @@ public:
   /** Faces on the boundary of the body, which earlier cuts have opened, are
    * left out.
    *
-   * @throw std::runtime_error where all are, or where the group is no surface
+   * @throw CutError where all are, or where the group is no surface
    * with two sides. */
   ChosenSurface<dim>
   choose(const Body<dim> &body) const override;

@@ -38,7 +38,7 @@ struct FrontStresses
  * @param cells        those that meet the seam.
  * @param displacement with ghosts.
  * @param recovered the stress to take instead of the elements' own, or nothing.
- * @throw std::runtime_error where a process zone is too small for the cells.
+ * @throw CutError where a process zone is too small for the cells.
  */
 template <int dim>
 FrontStresses

@@ -18,7 +18,7 @@ namespace Setsudan
  *
  * @param displacement with ghosts.
  * @param recovered the stress to take instead of the elements' own, or nothing.
- * @throw std::runtime_error where no integration point lies within a ball.
+ * @throw CutError where no integration point lies within a ball.
  */
 template <int dim>
 FrontStresses

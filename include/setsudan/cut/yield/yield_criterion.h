@@ -1,80 +1,94 @@
 #pragma once
 
-#include <setsudan/cut/yield/front_stresses.h>
+#include <setsudan/cut/seam/row_areas.h>
+#include <setsudan/cut/yield/cutting_stress.h>
+#include <setsudan/solver/tangent_solver.h>
 
 #include <functional>
+#include <memory>
 
 namespace Setsudan
 {
-/** What decides whether a row yields: a stress, or with the criterion `energy
- * release` an energy per area. */
-struct CuttingStress
+/** What a criterion may ask of a body that is being cut. */
+template <int dim>
+class YieldingBody
 {
-  double reached  = 0;
-  double required = 0;
+public:
+  virtual ~YieldingBody() = default;
 
-  /** Whether what is reached exceeds what is required, or nothing is. */
-  bool
-  yields() const;
+  virtual const ElasticModel<dim> &
+  model() const = 0;
+
+  /** The seam of the newest cut. */
+  virtual const Seam<dim> &
+  seam() const = 0;
+
+  /** The cells that meet it. */
+  virtual const SeamCells<dim> &
+  seam_cells() const = 0;
+
+  /** What splitting a row opens. */
+  virtual const RowArea &
+  area_of_row(const unsigned int row) = 0;
+
+  /** The solver as if the ties of one row were taken off.
+   *
+   * @throw FloatingPieceError where that leaves a part which nothing holds. */
+  virtual std::shared_ptr<TangentSolver>
+  solver_without(const unsigned int row) = 0;
 };
 
-/**
- * The part of a stress that a criterion compares with the shear limit. All
- * measures are convex in the stress, and in simple shear on the cut they are
- * the shear stress.
- *
- * - maximum and mean shear: (s1 - s3) / 2 of the principal stresses (Tresca);
- * - von Mises: sqrt(J2), with J2 half the square of the deviatoric stress;
- * - traction on the cut: (<t_n>^2 + |t_s|^2)^1/2 of the normal traction, if it
- *   pulls, and the shear traction (as for cohesive zones: Camacho and Ortiz
- *   1996, International Journal of Solids and Structures 33, 2899-2938).
- */
-double
-stress_measure(const YieldParameters::Criterion criterion,
-               const FrontStress &stress);
-
-/**
- * The cutting stress (equation 17 of Kakefuda et al. 1996): the largest measure
- * over the samples, or over the means of the process zones; where they are of
- * different materials, that which is largest in relation to its shear limit.
- *
- * The stress under a concentrated load is singular, so that a measure that is
- * not averaged grows as elements shrink.
- */
-CuttingStress
-cutting_stress(const YieldParameters::Criterion criterion,
-               const FrontStresses &stresses,
-               const double sharpness,
-               const MPI_Comm communicator);
-
-/** The stress that yield requires: shear limit x (1 - sharpness), equation
- * 18. */
-double
-required_stress(const double shear_limit, const double sharpness);
-
-/** The stresses under a load: base + factor x per_load. */
-FrontStresses
-superpose(const FrontStresses &base,
-          const FrontStresses &per_load,
-          const double factor);
-
-/** The load factor at which a row yields. */
-struct YieldFactor
+/** The response of a linear body to forces: a solved displacement with what
+ * belongs to it. Responses can be superposed. */
+struct LinearResponse
 {
-  /** The factor, or the largest allowed one where the row does not yield. */
-  double load_factor;
-  CuttingStress stress;
-  /** At the factor that was found stress is what is required, and no more. */
-  bool yields;
+  LA::Vector displacement;
+  /** All nodal forces. */
+  LA::Vector forces;
+  /** See TangentSolver::solve(). */
+  LA::Vector lift;
 };
 
-/**
- * The smallest load factor in [0, max_load_factor] at which the cutting stress
- * reaches what is required. In relation to the requirement the stress must be
- * convex in the factor, so that there is at most one such point beyond 0, and a
- * bracketing root finder cannot miss it.
- */
-YieldFactor
-find_yield_load(const std::function<CuttingStress(double)> &stress_at,
-                const double max_load_factor);
+/** Decides whether a row yields: the requirement of the scene's criterion, with
+ * the blade's sharpness in it. */
+template <int dim>
+class YieldCriterion
+{
+public:
+  /** @param materials must live as long. */
+  static std::unique_ptr<const YieldCriterion<dim>>
+  make(const YieldParameters &parameters,
+       const MaterialParameters<dim> &materials,
+       const double sharpness);
+
+  virtual ~YieldCriterion() = default;
+
+  /**
+   * What is reached and required in a row under base + factor x per_load, as a
+   * function of the factor.
+   *
+   * @param per_load null, if only the factor 0 will be asked for.
+   * @param quality  of the state, to which that of further solves is added.
+   */
+  virtual std::function<CuttingStress(double)>
+  evaluate(YieldingBody<dim> &body,
+           const unsigned int row,
+           const LinearResponse &base,
+           const LinearResponse *per_load,
+           SolveQuality &quality) const = 0;
+
+  /** What a recovered stress reaches in a row; 0 of a criterion that does not
+   * look at the stress there.
+   *
+   * @param displacement with ghosts. */
+  virtual double
+  reached_by(const YieldingBody<dim> &body,
+             const unsigned int row,
+             const LA::Vector &displacement,
+             const RecoveredStress<dim> &recovered) const = 0;
+
+  /** The least that a row of the body may require. */
+  virtual double
+  smallest_requirement() const = 0;
+};
 } // namespace Setsudan

@@ -71,7 +71,7 @@ private:
  * Check that the loads do no work in the motions of a loose group, so that
  * holding its pieces at a few points puts no force into them.
  *
- * @throw std::runtime_error where they do: then nothing keeps the pieces.
+ * @throw FloatingPieceError where they do: then nothing keeps the pieces.
  */
 template <int dim>
 void

@@ -23,7 +23,7 @@ struct DeformationExtremes
 /** @param displacement without ghosts. */
 template <int dim>
 DeformationExtremes
-find_extremes(ElasticModel<dim> &model, const LA::Vector &displacement);
+find_extremes(const ElasticModel<dim> &model, const LA::Vector &displacement);
 
 /** The same for any type of element, cell by cell and many times slower.
  *

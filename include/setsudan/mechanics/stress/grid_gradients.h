@@ -40,7 +40,7 @@ struct GradientsOfBatch
  */
 template <int dim>
 void
-visit_gradients(ElasticModel<dim> &model,
+visit_gradients(const ElasticModel<dim> &model,
                 const typename CellBatches<dim>::Vector &displacement,
                 const std::function<void(const GradientsOfBatch &)> &visit);
 } // namespace Setsudan

@@ -1,20 +1,12 @@
 #pragma once
 
 #include <setsudan/body/body.h>
+#include <setsudan/cut/seam/sides.h>
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/output/frames/vtu.h>
 
 namespace Setsudan
 {
-/** What a cell of the body is called in a frame, one value per element. */
-struct ElementLabels
-{
-  /** The side of the newest cut: -1, +1, or 0 where it does not reach. */
-  std::vector<int> side;
-  /** The separate body it belongs to. */
-  std::vector<unsigned int> piece;
-};
-
 /** What a frame says of its state besides the fields. */
 struct FrameFacts
 {
@@ -42,7 +34,7 @@ struct FrameFacts
 template <int dim>
 VtuGrid
 frame_content(const Body<dim> &body,
-              ElasticModel<dim> &model,
+              const ElasticModel<dim> &model,
               const LA::Vector &displacement,
               const ElementLabels &labels,
               const dealii::Vector<double> &error_squares,

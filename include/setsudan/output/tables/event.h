@@ -48,5 +48,22 @@ struct Event
   double overlap = 0;
   /** The pieces in which the row's front lies, as they were before this cut. */
   std::vector<unsigned int> row_pieces = {0};
+
+  /** For boost::serialization: all members, which a checkpoint keeps. */
+  template <typename Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    bool has_errors = errors.has_value();
+    auto values     = errors.value_or(std::array<double, 2>());
+    archive &frame &name &cut &row &released_rows &depth &load_factor;
+    archive &blade_force &cutting_stress &required_stress &strain_energy;
+    archive &potential_energy &max_displacement &force_residual;
+    archive &moment_residual &min_jacobian &pieces &seconds &max_strain;
+    archive &max_shear &reaction &clamp_force &overlap &row_pieces;
+    archive &has_errors &values;
+    if (has_errors)
+      errors = values;
+  }
 };
 } // namespace Setsudan

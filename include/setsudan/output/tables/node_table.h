@@ -1,6 +1,6 @@
 #pragma once
 
-#include <setsudan/cut/seam/seam.h>
+#include <setsudan/cut/seam/wall_overlap.h>
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/output/output_directory.h>
 
@@ -20,14 +20,14 @@ namespace Setsudan
  * and '+', one sign for each cut that split it. A tied pair is one node still.
  * Called by all processes; the first one writes.
  *
- * @param seams all cuts made so far, on the present mesh.
+ * @param walls of all cuts made so far, on the present mesh.
  * @param displacement with ghosts.
  */
 template <int dim>
 void
 write_node_table(const Body<dim> &body,
                  const ElasticModel<dim> &model,
-                 const std::vector<Seam<dim>> &seams,
+                 const std::vector<CutWall<dim>> &walls,
                  const LA::Vector &displacement,
                  const OutputDirectory &directory,
                  const std::string &name);

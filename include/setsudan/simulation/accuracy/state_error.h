@@ -27,8 +27,7 @@ struct StateError
  */
 template <int dim>
 StateError
-estimate_error_of_state(const Scene<dim> &scene,
-                        const CutBody<dim> &body,
+estimate_error_of_state(const CutBody<dim> &body,
                         const std::optional<unsigned int> &row,
                         const State<dim> &state);
 } // namespace Setsudan

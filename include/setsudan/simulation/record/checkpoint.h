@@ -77,7 +77,5 @@ store_state(const State<dim> &state,
  */
 template <int dim>
 State<dim>
-restore_state(const Scene<dim> &scene,
-              const Checkpoint &checkpoint,
-              CutBody<dim> &body);
+restore_state(const Checkpoint &checkpoint, const CutBody<dim> &body);
 } // namespace Setsudan

@@ -10,8 +10,7 @@ namespace Setsudan
  * and the blade with its row. */
 template <int dim>
 FrameFacts
-frame_facts(const Scene<dim> &scene,
-            const CutBody<dim> &body,
+frame_facts(const CutBody<dim> &body,
             const BladeLoad<dim> &blade,
             const Event &event,
             const double time);

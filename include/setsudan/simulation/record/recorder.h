@@ -98,7 +98,7 @@ public:
 
   /** Write the pieces of the body as bodies of their own.
    *
-   * @throw std::runtime_error where volume has been lost. */
+   * @throw InvariantError where volume has been lost. */
   void
   write_pieces(const CutBody<dim> &body, const State<dim> &state);
 

@@ -30,7 +30,5 @@ find_earlier_run(const Scene<dim> &scene,
 /** Cut a body, without solving, as far as it was at a checkpoint. */
 template <int dim>
 void
-repeat_surgeries(const Scene<dim> &scene,
-                 const Checkpoint &checkpoint,
-                 CutBody<dim> &body);
+repeat_surgeries(const Checkpoint &checkpoint, CutBody<dim> &body);
 } // namespace Setsudan

@@ -11,12 +11,13 @@
 namespace Setsudan
 {
 /**
- * The equilibrium of a body in which ties between some unknowns, those of a
- * cut, are taken off step by step: exact in every step, from one factorization.
+ * A tangent solver for all states of a cut, in which ties between the interface
+ * unknowns are taken off stage by stage: exact in every stage, from one
+ * factorization.
  *
- * All other unknowns are eliminated once. What remains is the stiffness that
- * the cut's unknowns have, and of it each step takes what its ties leave: see
- * InterfaceSystem.
+ * All other unknowns are eliminated once (StaticCondensation). The state of the
+ * interface is found on its Schur complement (InterfaceSystem), and the rest of
+ * the body follows from it by back substitution.
  *
  * One process only.
  */
@@ -27,91 +28,90 @@ public:
   using Constraints = dealii::AffineConstraints<double>;
 
   /**
-   * @param base what holds in all steps, closed.
-   * @param cut  the unknowns between which there are ties.
+   * @param base constraints that hold in all stages, closed.
+   * @param cut  the interface unknowns, between which there are ties.
    */
-  CondensedSolver(ElasticModel<dim> &model,
+  CondensedSolver(const ElasticModel<dim> &model,
                   std::shared_ptr<const Constraints> base,
                   const dealii::IndexSet &cut);
 
-  /** Go to a step: see InterfaceSystem::set_constraints().
+  /** Go to a stage: see InterfaceSystem::set_constraints().
    *
-   * @param step closed: `base`, and ties among the unknowns of the cut.
-   * @return false where a tie leads out of the cut, and nothing has changed. */
+   * @param stage closed: `base`, and ties among the interface unknowns. */
   bool
-  set_constraints(std::shared_ptr<const Constraints> step);
+  set_constraints(std::shared_ptr<const Constraints> stage);
 
-  /** Remember later steps, and factor them at once: see InterfaceSystem. */
+  /** See InterfaceSystem. */
   bool
-  append_stage(const Constraints &later);
+  append_stage(const Constraints &stage);
   void
-  factorize_foreseen();
+  factorize_stages();
 
-  LA::Vector
+  Solution
   solve(const LA::Vector &forces,
-        const LA::Vector &prescribed,
+        const LA::Vector &lift,
         const LA::Vector &guess) override;
 
-  SolveQuality
-  quality_of_last() const override;
-
-  /** Bytes that the condensation of so many unknowns of a cut takes besides the
-   * factor. */
-  static double
-  memory(const unsigned int n_unknowns_of_cut);
-
 private:
+  /** The state of the interface, and what the back substitution needs. */
+  struct InterfaceState
+  {
+    std::vector<double> displacement;
+    StaticCondensation::Eliminated loads;
+  };
+
   /** StaticCondensation::forward_eliminate(), or what it made of the last loads
-   * that are remembered, where they are the same but for those on the cut. */
+   * that are remembered, where they are the same but for those on the
+   * interface. */
   StaticCondensation::Eliminated
   forward_eliminate(const LA::Vector &loads, const bool is_remembered);
 
-  /** The displacement that forces give, both obeying `base`, and the
-   * displacement but for the `opening` the step.
+  /**
+   * Solve on the interface.
    *
-   * @param opening what the cut's unknowns have besides; nothing if it is zero.
+   * @param b       forces, condensed by `base`.
+   * @param opening the lift of the interface; nothing if it is zero.
    */
-  LA::Vector
-  solve_for(const LA::Vector &b,
-            const std::vector<double> &opening,
-            const bool is_remembered);
+  InterfaceState
+  solve_interface(const LA::Vector &b,
+                  const std::vector<double> &opening,
+                  const bool is_remembered);
 
-  /** The forces less what a displacement off the cut takes of them. */
+  /** The displacement of the whole body. */
   LA::Vector
-  loads_beside(const LA::Vector &forces, const LA::Vector &beyond_cut);
+  recover(InterfaceState &&state) const;
 
-  /** What a displacement has on the cut, nothing if it is zero; the rest of it
-   * is left over. */
+  /** The forces less K times a lift off the cut. */
+  LA::Vector
+  residual_of_lift(const LA::Vector &forces, const LA::Vector &lift_off_cut);
+
+  /** Split a lift: what it has on the cut is returned, nothing if it is zero,
+   * and taken off it. */
   std::vector<double>
-  take_opening(LA::Vector &prescribed) const;
+  take_opening(LA::Vector &lift) const;
 
-  /** Set the quality of a solution.
+  /** The quality of a solution.
    *
    * @throw SolverError where it is not good enough. */
-  void
-  judge(const LA::Vector &x,
-        const LA::Vector &rest,
-        const double scale,
-        const Refined &mending);
+  SolveQuality
+  check_quality(const LA::Vector &x,
+                const LA::Vector &residual,
+                const double scale,
+                const RefinedSystem &system);
 
-  [[noreturn]] void
-  fail() const;
-
-  ElasticModel<dim> &model;
+  const ElasticModel<dim> &model;
   const std::shared_ptr<const Constraints> base;
-  std::shared_ptr<const Constraints> step;
-  /** The unknowns of the cut that `base` leaves free, ascending. */
+  std::shared_ptr<const Constraints> constraints;
+  /** The interface unknowns that `base` leaves free, ascending. */
   std::vector<unsigned int> cut;
   std::unique_ptr<StaticCondensation> condensation;
-  std::unique_ptr<InterfaceSystem> reduced;
+  std::unique_ptr<InterfaceSystem> interface;
   /** The largest sum of a row of the stiffness. */
   double largest_entry = 0;
-  /** The last displacement beyond the cut that was prescribed, and K times it.
-   */
-  LA::Vector remembered_beyond, forces_of_beyond;
+  /** The last lift off the cut, and K times it. */
+  LA::Vector remembered_lift, forces_of_lift;
   LA::Vector remembered_loads;
   StaticCondensation::Eliminated remembered;
-  SolveQuality quality;
   /** The displacement for a residual of 1, and the largest displacement for
    * loads of size 1, when the quality was last looked at closely. */
   double per_residual = 0, known_compliance = 0;

@@ -16,9 +16,6 @@ public:
   void
   solve(LA::Vector &x, const LA::Vector &b) override;
 
-  std::string
-  description() const override;
-
 private:
   std::unique_ptr<CholeskyFactor> factor;
 };

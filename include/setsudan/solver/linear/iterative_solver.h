@@ -21,9 +21,6 @@ public:
   void
   approximate(LA::Vector &x, const LA::Vector &b) override;
 
-  std::string
-  description() const override;
-
   bool
   is_iterative() const override;
 

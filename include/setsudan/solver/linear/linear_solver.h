@@ -1,6 +1,7 @@
 #pragma once
 
-#include <setsudan/solver/solver_parameters.h>
+#include <setsudan/parameters/exceptions.h>
+#include <setsudan/solver/solver_choice.h>
 #include <setsudan/space/linear_algebra.h>
 
 #include <memory>
@@ -9,12 +10,6 @@
 
 namespace Setsudan
 {
-/** A solve did not give what it should; the message says which and why. */
-class SolverError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /**
  * A way to solve A x = b for one symmetric positive definite matrix after
@@ -51,10 +46,6 @@ public:
     solve(x, b);
   }
 
-  /** The method, in words. */
-  virtual std::string
-  description() const = 0;
-
   /** Whether it makes use of rigid modes and of a first guess. */
   virtual bool
   is_iterative() const
@@ -63,10 +54,7 @@ public:
   }
 };
 
-/** The solver that the parameters ask for; `auto` decides by the size. The
- * direct one is KLU for small systems, CHOLMOD on one process, and MUMPS. */
+/** @param kind any of which the matrix is assembled. */
 std::unique_ptr<LinearSolver>
-make_linear_solver(const SolverParameters &parameters,
-                   const dealii::types::global_dof_index n_unknowns,
-                   const MPI_Comm communicator);
+make_linear_solver(const SolverKind kind, const SolverParameters &parameters);
 } // namespace Setsudan

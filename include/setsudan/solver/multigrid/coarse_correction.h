@@ -22,7 +22,7 @@ public:
   using Vector = typename CellBatches<dim>::Vector;
 
   /** @param lines the constraints for the model's batches. */
-  CoarseCorrection(ElasticModel<dim> &model,
+  CoarseCorrection(const ElasticModel<dim> &model,
                    const dealii::AffineConstraints<double> &constraints,
                    const LocalConstraints &lines);
 

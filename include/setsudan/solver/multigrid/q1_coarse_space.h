@@ -29,7 +29,7 @@ public:
   /** @param constraints homogeneous and closed.
    * @param lines        the same for the model's batches. Both are needed as
    * long as more than transfers are asked for. */
-  Q1CoarseSpace(ElasticModel<dim> &model,
+  Q1CoarseSpace(const ElasticModel<dim> &model,
                 const Constraints &constraints,
                 const LocalConstraints &lines);
 
@@ -83,7 +83,7 @@ private:
               const Entry &entry,
               BlockMatrixAssembler<dim> &blocks) const;
 
-  ElasticModel<dim> &model;
+  const ElasticModel<dim> &model;
   const CellBatches<dim> &batches;
   const Q1Interpolation<dim> rows;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> coarse_partitioner;

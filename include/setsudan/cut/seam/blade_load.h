@@ -1,0 +1,38 @@
+#pragma once
+
+#include <setsudan/cut/seam/seam.h>
+#include <setsudan/mechanics/balance.h>
+
+#include <optional>
+#include <vector>
+
+namespace Setsudan
+{
+/** The blade on a row: its nodal forces at load factor 1, and the forces where
+ * the scene puts them. */
+template <int dim>
+struct BladeLoad
+{
+  /** Without ghosts. */
+  LA::Vector nodal_forces;
+  std::vector<PointForce<dim>> forces;
+  /** The row on which it stands; nothing where there is no blade. */
+  std::optional<unsigned int> row;
+};
+
+/** No blade: all forces zero. */
+template <int dim>
+BladeLoad<dim>
+no_blade(const ElasticModel<dim> &model);
+
+/** The blade on the front of a row of a seam.
+ *
+ * @param edge_loads along the edge, see share_edge_loads(). */
+template <int dim>
+BladeLoad<dim>
+blade_on_row(const ElasticModel<dim> &model,
+             const Seam<dim> &seam,
+             const unsigned int row,
+             const dealii::Tensor<1, dim> &direction,
+             const std::vector<EdgeLoad> &edge_loads);
+} // namespace Setsudan

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <setsudan/solver/linear/linear_solver.h>
+
+#include <Epetra_LinearProblem.h>
+
+#include <memory>
+
+class Amesos_Mumps;
+
+namespace Setsudan
+{
+/** Sparse factorization by MUMPS in its symmetric form, over several
+ * processes. */
+class MumpsSolver : public LinearSolver
+{
+public:
+  /**
+   * @param spare_percent workspace that MUMPS gets beyond its estimate. Over
+   *   several processes its need depends on which of them is ready first, and
+   *   the estimate may fall short; then the factorization is repeated with
+   *   more.
+   */
+  explicit MumpsSolver(const int spare_percent = 50);
+
+  ~MumpsSolver() override;
+
+  void
+  initialize(const LA::SparseMatrix &matrix,
+             const std::vector<std::vector<double>> &rigid_modes) override;
+
+  void
+  solve(LA::Vector &x, const LA::Vector &b) override;
+
+private:
+  /** @return whether the workspace sufficed. */
+  bool
+  factorize(const int percent);
+
+  const int spare_percent;
+  Epetra_LinearProblem problem;
+  std::unique_ptr<Amesos_Mumps> mumps;
+};
+} // namespace Setsudan

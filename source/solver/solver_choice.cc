@@ -1,0 +1,133 @@
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/solver/solver_choice.h>
+
+namespace Setsudan
+{
+namespace
+{
+// The factor of a larger body takes more memory than a machine is likely to
+// have.
+constexpr dealii::types::global_dof_index most_factored_unknowns = 400000;
+// The factor of a body of more unknowns takes longer than a few iterative
+// solves, and an order of magnitude more memory.
+constexpr dealii::types::global_dof_index most_condensed_unknowns = 200000;
+// Bytes that a condensation may take besides the factor.
+constexpr double most_interface_memory = 4e9;
+// With fewer rows the second factorization does not pay.
+constexpr unsigned int fewest_condensed_rows = 3;
+
+SolverKind
+direct_kind(const SystemSize &size)
+{
+  return size.n_processes == 1 ? SolverKind::cholesky : SolverKind::mumps;
+}
+
+/** The Schur complement of the two sides, a block each, and its factor. */
+double
+interface_memory(const double n)
+{
+  return sizeof(double) * n * n * (1 + 0.5 + 1);
+}
+} // namespace
+
+
+template <int dim>
+SystemSize
+size_of(const Discretization<dim> &discretization)
+{
+  return {discretization.dof_handler.n_dofs(),
+          discretization.type,
+          dealii::Utilities::MPI::n_mpi_processes(discretization.communicator)};
+}
+
+
+
+Choice<SolverKind>
+choose_solver(const SolverParameters &parameters, const SystemSize &size)
+{
+  using Method          = SolverParameters::Method;
+  const bool is_direct  = parameters.is_direct(size.n_unknowns);
+  const SolverKind kind = is_direct ? direct_kind(size)
+                          : size.element_type == ElementType::linear
+                            ? SolverKind::algebraic_multigrid
+                            : SolverKind::matrix_free;
+  return {
+    kind,
+    parameters.method != Method::automatic
+      ? "as Solver/Method says"
+      : std::string("chosen because the unknowns ") +
+          (is_direct ? "do not exceed " : "exceed ") +
+          "Solver/Direct up to = " + std::to_string(parameters.direct_up_to)};
+}
+
+
+
+SolverKind
+choose_fallback(const SystemSize &size)
+{
+  return size.n_unknowns <= most_factored_unknowns
+           ? direct_kind(size)
+           : SolverKind::algebraic_multigrid;
+}
+
+
+
+Choice<CutStrategy>
+choose_cut_strategy(const SolverParameters &parameters,
+                    const SystemSize &size,
+                    const CutSize &cut)
+{
+  using CutSolve        = SolverParameters::CutSolve;
+  const auto row_by_row = [](const std::string &reason) {
+    return Choice<CutStrategy>{CutStrategy::row_by_row, reason};
+  };
+  if (cut.n_interface_unknowns == 0)
+    return row_by_row("since no ties are left to take off");
+  if (parameters.cut_solve == CutSolve::row_by_row)
+    return row_by_row("as Division/Solve says");
+  if (size.n_processes > 1)
+    return row_by_row("since there are several processes");
+  if (parameters.cut_solve == CutSolve::condensed)
+    return {CutStrategy::condensed, "as Division/Solve says"};
+  if (parameters.method == SolverParameters::Method::iterative)
+    return row_by_row("since Solver/Method is iterative");
+  if (cut.n_rows < fewest_condensed_rows)
+    return row_by_row("since there are few rows");
+  if (size.n_unknowns > most_condensed_unknowns)
+    return row_by_row("since there are more than " +
+                      std::to_string(most_condensed_unknowns) + " unknowns");
+  if (interface_memory(cut.n_interface_unknowns) > most_interface_memory)
+    return row_by_row("since the cut has too many unknowns for the memory");
+  return {CutStrategy::condensed,
+          "since " + std::to_string(cut.n_rows) +
+            " rows take less time so than one by one"};
+}
+
+
+
+std::string
+description(const SolverKind kind)
+{
+  switch (kind)
+    {
+      case SolverKind::cholesky:
+        return "direct (CHOLMOD)";
+      case SolverKind::mumps:
+        return "direct (MUMPS, Cholesky)";
+      case SolverKind::matrix_free:
+        return "iterative (conjugate gradients with multigrid, without a "
+               "matrix)";
+      case SolverKind::algebraic_multigrid:
+        return "iterative (conjugate gradients with algebraic multigrid)";
+    }
+  return "";
+}
+
+
+
+template SystemSize
+size_of(const Discretization<2> &);
+template SystemSize
+size_of(const Discretization<3> &);
+} // namespace Setsudan
