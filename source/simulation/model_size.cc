@@ -36,7 +36,7 @@ estimate_size(const BodyParameters<dim> &shape,
 {
   const auto mesh =
     shape.refined(body.box ? size_of_box<dim>(body.box->n_elements)
-                           : size_of_mesh(body.mesh()));
+                           : size_of_mesh(body.mesh));
   ModelSize size;
   size.n_cells = mesh.n_cells();
   // Of the children of a cell at a cut those of one side are at it.

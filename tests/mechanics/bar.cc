@@ -4,7 +4,7 @@
 // contraction, nu = 0, the fixed end does not disturb them.
 
 #include <setsudan/mechanics/balance.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ compare(SolvedModel<dim> &solved,
 {
   const auto &discretization = solved.model.discretization;
   const LA::Vector u         = discretization.with_ghosts(solved.displacement);
-  StrainRecovery<dim> recovery(
+  StressEvaluator<dim> recovery(
     discretization, solved.material, node_points(discretization));
   double u_error = 0, u_max = 0, stress_error = 0, stress_max = 0;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())

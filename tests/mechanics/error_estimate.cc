@@ -107,10 +107,8 @@ test_tube(const unsigned int n,
   const auto estimate =
     estimate_error(model, RecoveredStress<dim>(model, u), u);
 
-  StrainRecovery<dim> recovery(discretization,
-                               model.materials,
-                               QGauss<dim>(4),
-                               update_quadrature_points | update_JxW_values);
+  StressEvaluator<dim> recovery(
+    discretization, model.materials, QGauss<dim>(4));
   const Hooke &hooke = model.materials.of_element(0).hooke;
   double error = 0, energy = 0;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())

@@ -1,7 +1,7 @@
 // A frame shows at the nodes of all cells where they are, and the displacement
 // and the stress there.
 
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 #include <setsudan/output/frames/frame_content.h>
 
 #include "../mechanics/many_models.h"
@@ -72,7 +72,7 @@ compare(const std::string &name, ElasticModel<dim> &model)
   const unsigned int n_1d = discretization.type == ElementType::linear ? 2 : 3;
   constexpr unsigned int order[6][2] = {
     {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
-  StrainRecovery<dim> recovery(
+  StressEvaluator<dim> recovery(
     discretization, model.materials, node_points(discretization));
   Difference position, displacement, stress, strain, number;
   unsigned int first = 0, cell_number = 0;

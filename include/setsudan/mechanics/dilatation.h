@@ -2,6 +2,7 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <setsudan/material/material_parameters.h>
 #include <setsudan/mechanics/linear_fit.h>
 #include <setsudan/space/discretization.h>
 
@@ -46,4 +47,18 @@ private:
   dealii::FEValues<dim> fe_values;
   std::vector<double> divergences;
 };
+
+/** The stress at a point of a cell.
+ *
+ * @param dilatation of the cell, for a material that is mixed. */
+template <int dim>
+dealii::SymmetricTensor<2, 3>
+stress_of(const Material &material,
+          const dealii::SymmetricTensor<2, dim> &strain,
+          const dealii::Point<dim> &position,
+          const LinearFunction<dim> &dilatation)
+{
+  return material.is_mixed ? material.hooke.stress(strain, dilatation(position))
+                           : material.hooke.stress(strain);
+}
 } // namespace Setsudan

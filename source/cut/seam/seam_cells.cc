@@ -8,8 +8,7 @@ using namespace dealii;
 
 template <int dim>
 SeamCells<dim>::SeamCells(const ElasticModel<dim> &model, const Seam<dim> &seam)
-  : stresses(model.discretization, model.materials)
-  , of_pairs(seam.pairs().size())
+  : of_pairs(seam.pairs().size())
 {
   const auto &discretization = model.discretization;
   // A node may be in several pairs, where an earlier cut ends at this one.

@@ -1,6 +1,6 @@
 #include <setsudan/cut/yield/front_stresses.h>
 #include <setsudan/cut/yield/process_zone.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 
 #include <memory>
 
@@ -33,33 +33,21 @@ stresses_at_nodes(const ElasticModel<dim> &model,
                   const RecoveredStress<dim> *recovered)
 {
   const auto &discretization = model.discretization;
-  std::unique_ptr<StrainRecovery<dim>> recovery;
-  if (recovered)
-    recovery =
-      std::make_unique<StrainRecovery<dim>>(discretization,
-                                            model.materials,
-                                            node_points(discretization),
-                                            update_values);
-  const auto stresses_of =
-    [&](const typename SeamCells<dim>::AdjacentCell &at) {
-      if (!recovery)
-        return cells.stresses(at.cell, at.nodes, displacement);
-      recovery->reinit(at.cell, displacement);
-      const auto of_cell = stresses_of_cell(at.cell, *recovery, recovered);
-      std::vector<SymmetricTensor<2, 3>> of_nodes;
-      for (const unsigned int node : at.nodes)
-        of_nodes.push_back(of_cell[node]);
-      return of_nodes;
-    };
+  StressEvaluator<dim> evaluator(
+    discretization, model.materials, node_points(discretization));
   FrontStresses stresses;
   for (const auto &at : cells.at_front(row))
     {
-      const auto of_nodes = stresses_of(at);
+      evaluator.reinit(at.cell, displacement);
+      std::vector<SymmetricTensor<2, 3>> recovered_at;
+      if (recovered)
+        recovered_at = recovered->evaluate(at.cell, evaluator);
       const double shear_limit =
         model.materials.of_element(discretization.element(at.cell)).shear_limit;
-      for (unsigned int i = 0; i < of_nodes.size(); ++i)
+      for (unsigned int i = 0; i < at.nodes.size(); ++i)
         stresses.samples.push_back(
-          {of_nodes[i],
+          {recovered ? recovered_at[at.nodes[i]]
+                     : evaluator.stress(at.nodes[i]),
            shear_limit,
            in_space(seam.pairs()[at.pairs[i]].normal)});
     }

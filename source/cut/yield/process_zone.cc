@@ -2,7 +2,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <setsudan/cut/yield/process_zone.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 #include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
@@ -33,24 +33,23 @@ public:
 
   /** The rule for a cell of this size: points are not farther apart than a
    * sixth of the radius, if that can be. */
-  StrainRecovery<dim> &
+  StressEvaluator<dim> &
   for_cell(const double size, const double radius)
   {
     const unsigned int n_copies =
       std::clamp<double>(std::ceil(2 * size / radius), 1, most_copies);
     auto &rule = rules[n_copies];
     if (!rule)
-      rule = std::make_unique<StrainRecovery<dim>>(
+      rule = std::make_unique<StressEvaluator<dim>>(
         model.discretization,
         model.materials,
-        QIterated<dim>(QGauss<1>(3), n_copies),
-        update_values | update_quadrature_points | update_JxW_values);
+        QIterated<dim>(QGauss<1>(3), n_copies));
     return *rule;
   }
 
 private:
   const ElasticModel<dim> &model;
-  std::map<unsigned int, std::unique_ptr<StrainRecovery<dim>>> rules;
+  std::map<unsigned int, std::unique_ptr<StressEvaluator<dim>>> rules;
 };
 
 
@@ -112,7 +111,8 @@ stresses_in_zones(const ElasticModel<dim> &model,
         continue;
       auto &recovery = rules.for_cell(cell->diameter(), radius);
       recovery.reinit(cell, displacement);
-      const auto of_cell = stresses_of_cell(cell, recovery, recovered);
+      const auto of_cell =
+        recovered ? recovered->evaluate(cell, recovery) : recovery.stresses();
       const double shear_limit =
         model.materials.of_element(discretization.element(cell)).shear_limit;
       for (unsigned int p = 0; p < recovery.n_points(); ++p)

@@ -3,7 +3,7 @@
 #include <setsudan/mechanics/cell_batches.h>
 #include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/mechanics/stress/grid_gradients.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ namespace
 /** Lower `min_jacobian` to the smallest determinant on the cell. */
 template <int dim>
 void
-find_min_jacobian(const StrainRecovery<dim> &recovery, double &min_jacobian)
+find_min_jacobian(const StressEvaluator<dim> &recovery, double &min_jacobian)
 {
   for (unsigned int p = 0; p < recovery.n_points(); ++p)
     min_jacobian = std::min(
@@ -50,9 +50,9 @@ find_extremes(const Discretization<dim> &discretization,
               const MaterialParameters<dim> &materials,
               const LA::Vector &displacement)
 {
-  StrainRecovery<dim> at_nodes(
+  StressEvaluator<dim> at_nodes(
     discretization, materials, node_points(discretization));
-  StrainRecovery<dim> at_gauss_points(
+  StressEvaluator<dim> at_gauss_points(
     discretization, materials, gauss_points(discretization));
   DeformationExtremes extremes;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())

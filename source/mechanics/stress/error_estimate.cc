@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/mechanics/stress/error_estimate.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 
 namespace Setsudan
 {
@@ -28,10 +28,8 @@ estimate_error(const ElasticModel<dim> &model,
                const LA::Vector &displacement)
 {
   const auto &discretization = model.discretization;
-  StrainRecovery<dim> recovery(discretization,
-                               model.materials,
-                               gauss_points(discretization),
-                               update_values | update_JxW_values);
+  StressEvaluator<dim> recovery(
+    discretization, model.materials, gauss_points(discretization));
   ErrorEstimate estimate;
   estimate.squares.reinit(discretization.triangulation.n_active_cells());
   double of_error = 0, of_state = 0;
@@ -41,7 +39,7 @@ estimate_error(const ElasticModel<dim> &model,
         const Hooke &material =
           model.materials.of_element(discretization.element(cell)).hooke;
         recovery.reinit(cell, displacement);
-        const auto smooth = recovered.evaluate(cell, recovery.values());
+        const auto smooth = recovered.evaluate(cell, recovery);
         double square     = 0;
         for (unsigned int p = 0; p < recovery.n_points(); ++p)
           {

@@ -49,20 +49,23 @@ sample_cells(const ElasticModel<dim> &model,
 {
   const auto &discretization = model.discretization;
   // Where the stress of linear or quadratic elements is of a higher order.
-  StrainRecovery<dim> recovery(discretization,
-                               model.materials,
-                               QGauss<dim>(discretization.n_gauss_points() - 1),
-                               update_quadrature_points);
+  StressEvaluator<dim> recovery(
+    discretization,
+    model.materials,
+    QGauss<dim>(discretization.n_gauss_points() - 1));
   std::vector<Sampled<dim>> cells;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (!cell->is_artificial() &&
         model.materials.number(discretization.element(cell)) == material)
       {
         recovery.reinit(cell, displacement);
+        std::vector<Point<dim>> points;
+        for (unsigned int p = 0; p < recovery.n_points(); ++p)
+          points.push_back(recovery.point(p));
         cells.push_back({discretization.node_indices(cell),
                          discretization.node_positions(cell),
-                         recovery.values().get_quadrature_points(),
-                         stresses_of_cell<dim>(cell, recovery, nullptr)});
+                         points,
+                         recovery.stresses()});
       }
   return cells;
 }
@@ -283,17 +286,15 @@ RecoveredStress<dim>::recover(const unsigned int material,
 template <int dim>
 std::vector<SymmetricTensor<2, 3>>
 RecoveredStress<dim>::evaluate(const Cell &cell,
-                               const FEValues<dim> &fe_values) const
+                               const StressEvaluator<dim> &points) const
 {
   static const auto kept = components<dim>();
   const auto &of_material =
     fields[model.materials.number(model.discretization.element(cell))];
-  std::vector<SymmetricTensor<2, 3>> stresses(fe_values.n_quadrature_points);
-  std::vector<Tensor<1, dim>> values(stresses.size());
+  std::vector<SymmetricTensor<2, 3>> stresses(points.n_points());
   for (unsigned int v = 0; v < n_vectors; ++v)
     {
-      fe_values[FEValuesExtractors::Vector(0)].get_function_values(
-        of_material[v], values);
+      const auto values = points.values(of_material[v]);
       for (unsigned int q = 0; q < stresses.size(); ++q)
         for (unsigned int c = 0; c < dim && v * dim + c < kept.size(); ++c)
           stresses[q][kept[v * dim + c]] = values[q][c];
@@ -303,30 +304,6 @@ RecoveredStress<dim>::evaluate(const Cell &cell,
 
 
 
-template <int dim>
-std::vector<SymmetricTensor<2, 3>>
-stresses_of_cell(const typename Discretization<dim>::Cell &cell,
-                 const StrainRecovery<dim> &recovery,
-                 const RecoveredStress<dim> *recovered)
-{
-  if (recovered)
-    return recovered->evaluate(cell, recovery.values());
-  std::vector<SymmetricTensor<2, 3>> stresses;
-  for (unsigned int p = 0; p < recovery.n_points(); ++p)
-    stresses.push_back(recovery.stress(p));
-  return stresses;
-}
-
-
-
-template std::vector<SymmetricTensor<2, 3>>
-stresses_of_cell(const typename Discretization<2>::Cell &,
-                 const StrainRecovery<2> &,
-                 const RecoveredStress<2> *);
-template std::vector<SymmetricTensor<2, 3>>
-stresses_of_cell(const typename Discretization<3>::Cell &,
-                 const StrainRecovery<3> &,
-                 const RecoveredStress<3> *);
 template class RecoveredStress<2>;
 template class RecoveredStress<3>;
 } // namespace Setsudan

@@ -1,7 +1,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <setsudan/mechanics/stress/grid_gradients.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 #include <setsudan/output/frames/frame_content.h>
 #include <setsudan/output/frames/frame_fields.h>
 
@@ -88,7 +88,7 @@ show_linear_cells(const ElasticModel<dim> &model,
             n_cells,
             grid);
   FrameFields<dim> fields(n_points * n_cells);
-  StrainRecovery<dim> recovery(
+  StressEvaluator<dim> recovery(
     discretization, model.materials, node_points(discretization));
   unsigned int point = 0;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
@@ -202,9 +202,7 @@ show_quadratic_cells(const ElasticModel<dim> &model,
               position,
               value_at<dim>(u.begin(), functions[p], batch, lane),
               strain,
-              material.is_mixed
-                ? material.hooke.stress(strain, dilatation_of_cell(position))
-                : material.hooke.stress(strain));
+              stress_of(material, strain, position, dilatation_of_cell));
           }
       }
   });

@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 #include <setsudan/mesh/point_name.h>
 #include <setsudan/output/tables/node_table.h>
 
@@ -82,7 +82,7 @@ collect_own_records(const Body<dim> &body,
 {
   const auto signs           = collect_signs(walls);
   const auto &discretization = model.discretization;
-  StrainRecovery<dim> recovery(
+  StressEvaluator<dim> recovery(
     discretization, model.materials, node_points(discretization));
   NodeRecords records;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())

@@ -1,15 +1,13 @@
 #pragma once
 
 #include <setsudan/cut/seam/seam.h>
-#include <setsudan/mechanics/stress/node_stresses.h>
 
 #include <utility>
 #include <vector>
 
 namespace Setsudan
 {
-/** The cells of this process that meet the nodes of a seam, and the stresses at
- * these nodes; what is always the same is found once. */
+/** The cells of this process that meet the nodes of a seam. */
 template <int dim>
 class SeamCells
 {
@@ -30,8 +28,6 @@ public:
   /** The cells that meet the front of a row, in the order of the mesh. */
   std::vector<AdjacentCell>
   at_front(const Row &row) const;
-
-  const NodeStresses<dim> stresses;
 
 private:
   std::vector<Cell> cells;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/mechanics/elastic_model.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 
 #include <array>
 #include <vector>
@@ -32,9 +32,9 @@ public:
   RecoveredStress(const ElasticModel<dim> &model,
                   const LA::Vector &displacement);
 
-  /** The stress at the points of `fe_values`, which has been set to `cell`. */
+  /** The stress at the points of an evaluator, which has been set to `cell`. */
   std::vector<dealii::SymmetricTensor<2, 3>>
-  evaluate(const Cell &cell, const dealii::FEValues<dim> &fe_values) const;
+  evaluate(const Cell &cell, const StressEvaluator<dim> &points) const;
 
 private:
   /** Vectors that are needed for 6 components in space, 4 in the plane. */
@@ -48,12 +48,4 @@ private:
   /** With ghosts, for each material. */
   std::vector<Field> fields;
 };
-
-/** The stress at all points of a cell that `recovery` was set to: the recovered
- * one, or the element's own where there is none. */
-template <int dim>
-std::vector<dealii::SymmetricTensor<2, 3>>
-stresses_of_cell(const typename Discretization<dim>::Cell &cell,
-                 const StrainRecovery<dim> &recovery,
-                 const RecoveredStress<dim> *recovered);
 } // namespace Setsudan

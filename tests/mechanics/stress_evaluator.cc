@@ -2,7 +2,7 @@
 // and on curved elements; and the extremes of deformed states.
 
 #include <setsudan/mechanics/stress/deformation_extremes.h>
-#include <setsudan/mechanics/stress/strain_recovery.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -41,7 +41,7 @@ test_linear(const CoarseMesh<dim> &mesh)
   for (const auto &quadrature :
        {node_points(discretization), gauss_points(discretization)})
     {
-      StrainRecovery<dim> recovery(discretization, material, quadrature);
+      StressEvaluator<dim> recovery(discretization, material, quadrature);
       for (const auto &cell :
            discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())

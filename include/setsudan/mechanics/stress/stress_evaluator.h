@@ -1,0 +1,99 @@
+#pragma once
+
+#include <deal.II/base/quadrature.h>
+
+#include <setsudan/material/material_parameters.h>
+#include <setsudan/mechanics/dilatation.h>
+
+#include <memory>
+#include <vector>
+
+namespace Setsudan
+{
+/** Where in a cell stress is asked for: its nodes, or its Gauss points. */
+template <int dim>
+dealii::Quadrature<dim>
+node_points(const Discretization<dim> &discretization);
+
+template <int dim>
+dealii::Quadrature<dim>
+gauss_points(const Discretization<dim> &discretization);
+
+/**
+ * Displacement gradients of a cell, and the strain and stress that follow
+ * (equations 6 and 7 of Kakefuda et al. 1996), evaluated directly where they
+ * are asked for: no extrapolation, no averaging. The element's functions
+ * interpolate displacement and position alike. A point costs what is asked of
+ * it, and nothing else.
+ */
+template <int dim>
+class StressEvaluator
+{
+public:
+  using Cell = typename Discretization<dim>::Cell;
+
+  /** @param discretization and materials must live as long.
+   * @param points in reference coordinates; their weights matter to volume()
+   *   only. */
+  StressEvaluator(const Discretization<dim> &discretization,
+                  const MaterialParameters<dim> &materials,
+                  const dealii::Quadrature<dim> &points);
+
+  /** Go to a cell.
+   *
+   * @param displacement with ghosts. */
+  void
+  reinit(const Cell &cell, const LA::Vector &displacement);
+
+  unsigned int
+  n_points() const;
+
+  /** The position of a point in the body at rest. */
+  dealii::Point<dim>
+  point(const unsigned int point) const;
+
+  /** The volume that a point of a quadrature rule stands for. */
+  double
+  volume(const unsigned int point) const;
+
+  dealii::Tensor<2, dim>
+  gradient(const unsigned int point) const;
+
+  dealii::SymmetricTensor<2, dim>
+  strain(const unsigned int point) const;
+
+  dealii::SymmetricTensor<2, 3>
+  stress(const unsigned int point) const;
+
+  /** The stresses at all points. */
+  std::vector<dealii::SymmetricTensor<2, 3>>
+  stresses() const;
+
+  /** The values at all points of a field of the displacement's kind, with
+   * ghosts. */
+  std::vector<dealii::Tensor<1, dim>>
+  values(const LA::Vector &field) const;
+
+private:
+  /** The derivative of the position by the reference coordinates. */
+  dealii::Tensor<2, dim>
+  jacobian(const unsigned int point) const;
+
+  const Discretization<dim> &discretization;
+  const MaterialParameters<dim> &materials;
+  const std::vector<double> weights;
+  /** Of each function at each point, in reference coordinates:
+   * [point][function]. */
+  std::vector<std::vector<double>> function_values;
+  std::vector<std::vector<dealii::Tensor<1, dim>>> function_gradients;
+  /** Only where a material needs it. */
+  std::unique_ptr<Dilatation<dim>> dilatation;
+
+  // Of the present cell.
+  std::vector<typename Discretization<dim>::NodeIndices> indices;
+  std::vector<dealii::Point<dim>> positions;
+  std::vector<dealii::Tensor<1, dim>> displacements;
+  const Material *material = nullptr;
+  LinearFunction<dim> dilatation_of_cell;
+};
+} // namespace Setsudan
