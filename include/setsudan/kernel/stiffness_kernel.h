@@ -42,9 +42,10 @@ struct CellBatch
 };
 
 /**
- * What is computed cell by cell without the cells' matrices: K u and parts of
- * K. The kernels know neither vectors nor meshes, so that they can be compiled
- * for several kinds of processors, the best of which is chosen at run time.
+ * Products with the element stiffness matrices, which are not formed: K u and
+ * parts of K, for batches of cells. The kernels know neither vectors nor
+ * meshes, so that they can be compiled for several kinds of processors, the
+ * best of which is chosen at run time.
  */
 template <int dim>
 struct StiffnessKernel

@@ -145,7 +145,7 @@ public:
     return element_labels;
   }
 
-  /** The pieces that nothing but what is assumed for that holds. */
+  /** The floating pieces. */
   const std::vector<FloatingPiece> &
   floating_pieces() const
   {
@@ -209,7 +209,7 @@ private:
   void
   update_parts();
 
-  /** What a split row's pairs are. */
+  /** The state of a split row's pairs. */
   PairState
   split_state() const;
 
@@ -217,8 +217,10 @@ private:
   Constraints
   constraints_without_seam() const;
 
-  /** What the solver is to know of the newest cut; nothing where its states are
-   * solved one by one. */
+  /**
+   * The stages of the newest cut for the solver; nothing where its states are
+   * solved one by one.
+   */
   std::optional<CutStages>
   stages() const;
 

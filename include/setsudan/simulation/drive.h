@@ -6,8 +6,10 @@
 
 namespace Setsudan
 {
-/** What moves the story on: how the load of a row is found at which the row is
- * asked whether it yields. */
+/**
+ * Advances the run: finds the load of a row at which the row is asked whether
+ * it yields.
+ */
 template <int dim>
 class Drive
 {

@@ -16,11 +16,14 @@ struct SolveQuality
   /** Estimate of the largest error of the displacement, from that residual,
    * relative to the largest displacement. */
   double estimated_relative_error = 0;
-  /** What the user should know of how it was solved; mostly nothing. */
+  /** A message to the user about the way of the solve; empty in most cases. */
   std::string warning;
 };
 
-/** What holds of two solves together: the worse of each, and all warnings. */
+/**
+ * The quality of two solves together: the worse of each number, and all
+ * warnings.
+ */
 SolveQuality
 combine(const SolveQuality &a, const SolveQuality &b);
 

@@ -9,7 +9,7 @@
 
 namespace Setsudan
 {
-/** What a kernel needs to know of the shape of one cell (see CellBatch). */
+/** The geometry of one cell in the form that kernels take (see CellBatch). */
 template <int dim>
 class CellGeometry
 {

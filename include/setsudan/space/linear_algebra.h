@@ -14,9 +14,11 @@ using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
 namespace Setsudan
 {
-/** Set constrained unknowns to what the others make of them, as
+/**
+ * Evaluate the constraints: compute constrained from unconstrained entries, as
  * AffineConstraints::distribute() does, which copies the vector even where
- * there is one process. */
+ * there is one process.
+ */
 void
 distribute(const dealii::AffineConstraints<double> &constraints,
            LA::Vector &vector);

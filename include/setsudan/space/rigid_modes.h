@@ -32,9 +32,10 @@ rigid_modes(const dealii::Point<dim> &point,
 using PointComponent = std::pair<unsigned int, unsigned int>;
 
 /**
- * What is held of the rigid motions of several bodies. A constraint is a
- * linear form in all of these motions; the forms that hold span a space, of
- * which an orthonormal basis grows here.
+ * Orthonormal basis of the constraints that supports and ties impose on the
+ * rigid-body modes of several bodies.
+ *
+ * A constraint is a linear form of the six (in 2D three) modes of each body.
  */
 template <int dim>
 class RigidBodyConstraints

@@ -5,9 +5,9 @@
 namespace Setsudan
 {
 /**
- * Carry a displacement to another mesh of the same elements, as the surgery
- * makes it: every node gets what the same node of the same element had. The
- * meshes may be distributed differently over the processes.
+ * Transfer a displacement to another discretization of the same elements, as a
+ * surgery or a repartitioning makes it: the values of a node are those of the
+ * same node of the same element.
  *
  * @param displacement on `from`, with ghosts.
  * @return a vector on `to`, without ghosts.

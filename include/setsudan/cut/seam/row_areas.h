@@ -9,7 +9,7 @@
 
 namespace Setsudan
 {
-/** What splitting a row opens. */
+/** The new area of a row, and the energy that it takes. */
 struct RowArea
 {
   /** Of one side [length^2; in 2D length]. */

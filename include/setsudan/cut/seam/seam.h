@@ -57,8 +57,10 @@ public:
   leave_out(const std::vector<unsigned int> &pieces,
             const std::set<unsigned int> &left_out);
 
-  /** What the pairs let no two pieces do against each other: move at all where
-   * they are tied, along the normal where they are opened. */
+  /**
+   * The links that the pairs make between pieces: all components where they are
+   * tied, the normal one where they are opened.
+   */
   std::vector<PieceLink<dim>>
   links(const PairStates &states,
         const std::vector<unsigned int> &pieces) const;
@@ -75,9 +77,9 @@ public:
   coupled_indices(const dealii::types::global_dof_index n_unknowns) const;
 
   /**
-   * Add the homogeneous part of what the seam demands. A support wins over a
-   * tie and over an opening. Where one side is constrained already, because a
-   * loose piece is held there, the other one follows it.
+   * Add the homogeneous constraints of the seam. A support takes precedence
+   * over a tie and over an opening. Where one side is constrained already,
+   * because a floating piece is held there, the other one is constrained to it.
    */
   void
   add_constraints(const PairStates &states,

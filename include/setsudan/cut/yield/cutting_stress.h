@@ -6,8 +6,10 @@
 
 namespace Setsudan
 {
-/** What decides whether a row yields: a stress, or with the criterion `energy
- * release` an energy per area. */
+/**
+ * Driving and required quantity of a row: a stress, or with the criterion
+ * `energy release` an energy per area.
+ */
 struct CuttingStress
 {
   double reached  = 0;
@@ -64,7 +66,7 @@ struct YieldFactor
   /** The factor, or the largest allowed one where the row does not yield. */
   double load_factor;
   CuttingStress stress;
-  /** At the factor that was found stress is what is required, and no more. */
+  /** True if the criterion is met at `load_factor`; equality counts. */
   bool yields;
 };
 

@@ -9,7 +9,7 @@
 
 namespace Setsudan
 {
-/** What a criterion may ask of a body that is being cut. */
+/** The interface of a body that is being cut to the yield criteria. */
 template <int dim>
 class YieldingBody
 {
@@ -27,7 +27,7 @@ public:
   virtual const SeamCells<dim> &
   seam_cells() const = 0;
 
-  /** What splitting a row opens. */
+  /** The area that splitting a row opens. */
   virtual const RowArea &
   area_of_row(const unsigned int row) = 0;
 
@@ -64,11 +64,11 @@ public:
   virtual ~YieldCriterion() = default;
 
   /**
-   * What is reached and required in a row under base + factor x per_load, as a
-   * function of the factor.
+   * The driving and the required quantity of a row under base + factor x
+   * per_load, as a function of the factor.
    *
    * @param per_load null, if only the factor 0 will be asked for.
-   * @param quality  of the state, to which that of further solves is added.
+   * @param quality of the state, to which that of further solves is added.
    */
   virtual std::function<CuttingStress(double)>
   evaluate(YieldingBody<dim> &body,
@@ -77,10 +77,12 @@ public:
            const LinearResponse *per_load,
            SolveQuality &quality) const = 0;
 
-  /** What a recovered stress reaches in a row; 0 of a criterion that does not
-   * look at the stress there.
+  /**
+   * The driving quantity of a row from a recovered stress; 0 of a criterion
+   * that does not depend on the stress there.
    *
-   * @param displacement with ghosts. */
+   * @param displacement with ghosts.
+   */
   virtual double
   reached_by(const YieldingBody<dim> &body,
              const unsigned int row,

@@ -7,7 +7,10 @@
 
 namespace Setsudan
 {
-/** A piece that can move rigidly, and what would hold it. */
+/**
+ * A floating piece: one with at least one unconstrained rigid-body mode, and
+ * the constraints that would stop all of them.
+ */
 struct FloatingPiece
 {
   unsigned int piece;

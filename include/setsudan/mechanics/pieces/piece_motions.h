@@ -17,7 +17,7 @@ struct PieceLink
   dealii::Tensor<1, dim> direction;
 };
 
-/** Linked pieces of which supports and links do not stop all rigid motions. */
+/** A group of linked pieces with at least one unconstrained rigid-body mode. */
 template <int dim>
 struct FloatingGroup
 {

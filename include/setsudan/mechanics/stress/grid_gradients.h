@@ -7,8 +7,10 @@
 
 namespace Setsudan
 {
-/** What kernels find of a batch of cells: see
- * StiffnessKernel::serendipity_gradients. */
+/**
+ * Displacement gradients of a batch of cells: see
+ * StiffnessKernel::serendipity_gradients.
+ */
 struct GradientsOfBatch
 {
   CellBatch batch;

@@ -7,7 +7,7 @@
 
 namespace Setsudan
 {
-/** What a frame says of its state besides the fields. */
+/** Data of a frame besides its fields. */
 struct FrameFacts
 {
   /** The first unknowns of the nodes at the front of the cut, ascending. */

@@ -7,7 +7,7 @@
 
 namespace Setsudan
 {
-/** What one trial leaves for the next. */
+/** The record of a trial for the next one. */
 struct TrialRecord
 {
   /** The depth of the row in the middle. */

@@ -6,8 +6,10 @@
 
 namespace Setsudan
 {
-/** What the frame of a state says besides of its fields: the event, the units,
- * and the blade with its row. */
+/**
+ * The data of a state's frame besides its fields: the event, the units, and the
+ * blade.
+ */
 template <int dim>
 FrameFacts
 frame_facts(const CutBody<dim> &body,

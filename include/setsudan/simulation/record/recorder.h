@@ -28,7 +28,7 @@ struct Doubts
   unsigned int round_off = 0;
 };
 
-/** What a record has come to, apart from the files of its frames. */
+/** The state of a record, apart from the files of its frames. */
 struct Record
 {
   /** Lines of statistics.csv. */

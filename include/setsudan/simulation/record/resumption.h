@@ -6,7 +6,7 @@
 
 namespace Setsudan
 {
-/** What an earlier run has left in the output directory of its scene. */
+/** The earlier run in the output directory of a scene. */
 struct EarlierRun
 {
   /** It has ended, and there is nothing to go on with. */

@@ -60,9 +60,11 @@ private:
     StaticCondensation::Eliminated loads;
   };
 
-  /** StaticCondensation::forward_eliminate(), or what it made of the last loads
-   * that are remembered, where they are the same but for those on the
-   * interface. */
+  /**
+   * StaticCondensation::forward_eliminate(), or its result for the last loads
+   * that are remembered, where these are the same but for those on the
+   * interface.
+   */
   StaticCondensation::Eliminated
   forward_eliminate(const LA::Vector &loads, const bool is_remembered);
 
@@ -85,8 +87,10 @@ private:
   LA::Vector
   residual_of_lift(const LA::Vector &forces, const LA::Vector &lift_off_cut);
 
-  /** Split a lift: what it has on the cut is returned, nothing if it is zero,
-   * and taken off it. */
+  /**
+   * Split a lift: its part on the interface is returned, nothing if it is zero,
+   * and subtracted from it.
+   */
   std::vector<double>
   take_opening(LA::Vector &lift) const;
 

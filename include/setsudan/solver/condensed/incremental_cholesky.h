@@ -7,8 +7,10 @@
 
 namespace Setsudan
 {
-/** The Cholesky factor of a dense matrix that grows: rows and columns are added
- * at its end, and what was factored stays. */
+/**
+ * The Cholesky factor of a dense matrix that grows by rows and columns at its
+ * end; those before stay factored.
+ */
 class IncrementalCholesky
 {
 public:

@@ -5,14 +5,14 @@
 namespace Setsudan
 {
 /**
- * What the unknowns of a cut are to each other once all others are eliminated.
- * Those that have nothing to do with each other, as the two sides of a cut, are
- * in dense blocks of their own.
+ * The Schur complement of the interface unknowns, stored as one dense block per
+ * connected component: the two sides of a cut, as long as nothing ties them,
+ * are two.
  */
 class SchurComplement
 {
 public:
-  /** Some unknowns, ascending, and what they are to each other, by columns. */
+  /** The unknowns of a component, ascending, and their block, by columns. */
   struct Block
   {
     std::vector<unsigned int> dofs;

@@ -9,12 +9,11 @@
 namespace Setsudan
 {
 /**
- * A stiffness matrix of which all unknowns but those of a cut are eliminated,
- * once for all loads and all that is done to the cut afterwards.
+ * Static condensation of a stiffness matrix onto the interface, the unknowns of
+ * a cut, once for all loads and all stages of the cut.
  *
- * The sides of a cut have nothing to do with each other before they are tied:
- * each part of the matrix has a factor of its own, and they are worked on side
- * by side on several cores.
+ * Each connected component of the matrix, as the two sides of a cut before they
+ * are tied, has a factor of its own; they are worked on in parallel.
  */
 class StaticCondensation
 {
@@ -24,7 +23,7 @@ public:
   StaticCondensation(const LA::SparseMatrix &matrix,
                      const std::vector<unsigned int> &cut);
 
-  /** What the cut's unknowns are to each other, numbered as in the cut. */
+  /** The Schur complement, numbered as in the cut. */
   const SchurComplement &
   stiffness() const;
 

@@ -9,9 +9,9 @@ namespace Setsudan
 {
 /**
  * The supernodal Cholesky factor K = L L^T of a symmetric positive definite
- * matrix of one process, by CHOLMOD, with some unknowns eliminated last: L
- * restricted to them is then the factor of what they are to each other once the
- * others are gone (the Schur complement). The others are ordered by METIS.
+ * matrix of one process, by CHOLMOD. The given unknowns are ordered last, so
+ * that the trailing block of L is the Cholesky factor of their Schur
+ * complement; the others are ordered by METIS.
  *
  * Chen, Davis, Hager and Rajamanickam 2008, ACM Transactions on Mathematical
  * Software 35(3), article 22.
@@ -50,13 +50,18 @@ public:
   double
   n_entries() const;
 
-  /** Eliminate all but the last unknowns: of a right-hand side b in the order
-   * of elimination make L^-1 b, and at its end what is left for the last. */
+  /**
+   * Forward elimination of all but the last unknowns: from a right-hand side b
+   * in the order of elimination compute L^-1 b, with the condensed right-hand
+   * side of the last at its end.
+   */
   void
   forward_eliminate(std::vector<double> &x) const;
 
-  /** Of what forward_eliminate() has made, with the last unknowns' values put
-   * at its end, make the values of all. */
+  /**
+   * Back substitution: from the result of forward_eliminate(), with the last
+   * unknowns' values put at its end, compute all values.
+   */
   void
   back_substitute(std::vector<double> &x) const;
 

@@ -38,8 +38,10 @@ public:
   virtual void
   solve(LA::Vector &x, const LA::Vector &b) = 0;
 
-  /** About what solve() would give, in the least time: one application of the
-   * factor or of the multigrid. */
+  /**
+   * An approximation of solve() in the least time: one application of the
+   * factor or of the multigrid.
+   */
   virtual void
   approximate(LA::Vector &x, const LA::Vector &b)
   {

@@ -8,12 +8,11 @@
 namespace Setsudan
 {
 /**
- * What corrects the smoother of multigrid: one cycle of algebraic multigrid on
- * the stiffness of displacements that are linear between vertices.
+ * The coarse correction of p-multigrid: one cycle of algebraic multigrid on the
+ * stiffness of the trilinear space.
  *
- * It takes most of the time to prepare, and can be kept where constraints are
- * only taken away: what the ties of a cut allowed they still allow with a row
- * less of them.
+ * It costs most of the preparation, and stays admissible when constraints are
+ * removed: it serves several rows of a cut in turn.
  */
 template <int dim>
 class CoarseCorrection

@@ -20,7 +20,10 @@ public:
   LocalConstraints(const dealii::AffineConstraints<double> &constraints,
                    const Partitioner &partitioner);
 
-  /** Give all constrained unknowns what the others, up to date, make them. */
+  /**
+   * Evaluate the constraints: set constrained entries; all others, ghosts too,
+   * must be up to date.
+   */
   void
   distribute(Vector &vector) const;
 

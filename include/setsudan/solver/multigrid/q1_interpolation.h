@@ -10,11 +10,11 @@
 namespace Setsudan
 {
 /**
- * The unknowns of a body under constraints by those at its vertices, which are
- * numbered here for themselves: one in the middle of a line, a face or a cell
- * is the mean of those at the vertices around it, and a constrained one is what
- * the constraints make of the others. Every vertex has `dim` numbers in a row,
- * but those that are constrained mean nothing.
+ * Interpolation of all unknowns from the multilinear ones at vertices, with
+ * constraints applied: the value in the middle of a line, a face or a cell is
+ * the mean of those at the vertices around it, and constrained values follow
+ * from the constraints. Coarse numbering is local to this class, `dim` numbers
+ * for each vertex; entries of constrained unknowns have no meaning.
  */
 template <int dim>
 class Q1Interpolation
