@@ -103,6 +103,25 @@ CutBody<dim>::begin_cut(const Cut<dim> &cut)
 
 
 
+namespace
+{
+/** Whether two lists of pairs are of the same nodes in the same order. It is
+ * not known of nodes that are in several pairs, where an earlier cut ends. */
+template <int dim>
+bool
+are_same_nodes(const std::vector<NodePair<dim>> &a,
+               const std::vector<NodePair<dim>> &b)
+{
+  const auto have_one_name = [](const NodePair<dim> &one,
+                                const NodePair<dim> &other) {
+    return one.name == other.name;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), have_one_name) &&
+         std::adjacent_find(a.begin(), a.end(), have_one_name) == a.end();
+}
+} // namespace
+
+
 template <int dim>
 LA::Vector
 CutBody<dim>::split_nodes(const LA::Vector &displacement)
@@ -120,8 +139,11 @@ CutBody<dim>::split_nodes(const LA::Vector &displacement)
   for (unsigned int c = 0; c < finished_walls.size(); ++c)
     finished_walls[c] = {nodes[c].pairs,
                          PairStates(nodes[c].pairs.size(), PairState::free)};
-  newest_seam =
-    std::make_unique<Seam<dim>>(nodes.back().pairs, newest_seam->rows());
+  newest_seam = std::make_unique<Seam<dim>>(
+    nodes.back().pairs,
+    are_same_nodes(newest_seam->pairs(), nodes.back().pairs)
+      ? newest_seam->rows()
+      : make_rows(nodes.back(), cut().edge, the_scene.division));
   severed.set_mesh(present_mesh,
                    find_pieces(present_mesh, element_labels.piece),
                    the_scene.supports);
