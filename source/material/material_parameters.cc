@@ -186,7 +186,8 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                                           value_of(toughnesses, element)}};
       const auto inserted = numbers.emplace(values, numbers.size());
       if (inserted.second)
-        materials.push_back({Hooke(values[0], values[1]),
+        materials.push_back({std::make_shared<const LinearElasticity>(
+                               Hooke(values[0], values[1])),
                              values[2],
                              values[3],
                              is_mixed(values[1])});
@@ -264,6 +265,51 @@ MaterialParameters<dim>::any_is_mixed() const
     materials.begin(), materials.end(), [](const Material &material) {
       return material.is_mixed;
     });
+}
+
+
+
+const Hooke &
+Material::linear() const
+{
+  AssertThrow(law->linear() != nullptr,
+              ExcMessage("This is for linear laws only."));
+  return *law->linear();
+}
+
+
+
+template <int dim>
+bool
+MaterialParameters<dim>::is_linear() const
+{
+  return std::all_of(
+    materials.begin(), materials.end(), [](const Material &material) {
+      return material.law->linear() != nullptr;
+    });
+}
+
+
+
+template <int dim>
+bool
+MaterialParameters<dim>::has_internal_variables() const
+{
+  return std::any_of(
+    materials.begin(), materials.end(), [](const Material &material) {
+      return material.law->n_internal() > 0;
+    });
+}
+
+
+
+template <int dim>
+void
+MaterialParameters<dim>::set_law(
+  const unsigned int number,
+  const std::shared_ptr<const ConstitutiveLaw> &law)
+{
+  materials[number].law = law;
 }
 
 

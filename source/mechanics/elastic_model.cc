@@ -1,7 +1,9 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <setsudan/mechanics/cell_batches.h>
 #include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/mechanics/law_integration.h>
 
 namespace Setsudan
 {
@@ -18,6 +20,9 @@ ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
                                 const ElementType element_type)
   : materials(materials)
   , discretization(mesh, refinement, communicator, element_type)
+  , internal(discretization,
+             materials,
+             Utilities::pow(discretization.n_gauss_points(), dim))
   , stiffness(discretization, materials)
   , hanging(discretization.relevant)
   , supports(discretization.relevant)
@@ -87,9 +92,56 @@ ElasticModel<dim>::batches() const
 
 
 template <int dim>
+bool
+ElasticModel<dim>::is_linear() const
+{
+  return materials.is_linear();
+}
+
+
+
+namespace
+{
+/** Evaluate the laws in all cells of this process. */
+template <int dim>
+void
+for_each_cell(
+  const ElasticModel<dim> &model,
+  const LA::Vector &displacement,
+  const std::function<void(const LawIntegration<dim> &,
+                           const typename Discretization<dim>::Cell &)> &use)
+{
+  const LA::Vector u = model.discretization.with_ghosts(displacement);
+  LawIntegration<dim> laws(
+    model.discretization, model.materials, model.internal);
+  for (const auto &cell :
+       model.discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        laws.reinit(cell, u);
+        use(laws, cell);
+      }
+}
+} // namespace
+
+
+template <int dim>
 LA::Vector
 internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
+  if (!model.is_linear())
+    {
+      LA::Vector forces = model.discretization.zero_vector();
+      std::vector<types::global_dof_index> indices(
+        model.discretization.fe.n_dofs_per_cell());
+      for_each_cell<dim>(
+        model, displacement, [&](const auto &laws, const auto &cell) {
+          cell->get_dof_indices(indices);
+          forces.add(indices, laws.forces);
+        });
+      forces.compress(VectorOperation::add);
+      return forces;
+    }
   if (model.discretization.type == ElementType::linear)
     return internal_forces(model.discretization,
                            model.stiffness,
@@ -99,10 +151,47 @@ internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 
 
 
-double
-stored_energy(const LA::Vector &displacement, const LA::Vector &internal)
+template <int dim>
+void
+assemble_tangent(const ElasticModel<dim> &model,
+                 const LA::Vector *displacement,
+                 const AffineConstraints<double> &constraints,
+                 LA::SparseMatrix &matrix)
 {
-  return 0.5 * (displacement * internal);
+  if (model.is_linear())
+    {
+      assemble_stiffness(
+        model.discretization, model.stiffness, constraints, matrix);
+      return;
+    }
+  const LA::Vector u = model.discretization.with_ghosts(*displacement);
+  LawIntegration<dim> laws(
+    model.discretization, model.materials, model.internal);
+  assemble_matrix<dim>(
+    model.discretization,
+    [&](const auto &cell) -> const FullMatrix<double> & {
+      laws.reinit(cell, u);
+      return laws.tangent;
+    },
+    constraints,
+    matrix);
+}
+
+
+
+template <int dim>
+double
+stored_energy(const ElasticModel<dim> &model,
+              const LA::Vector &displacement,
+              const LA::Vector &internal)
+{
+  if (model.is_linear())
+    return 0.5 * (displacement * internal);
+  double energy = 0;
+  for_each_cell<dim>(model, displacement, [&](const auto &laws, const auto &) {
+    energy += laws.energy;
+  });
+  return Utilities::MPI::sum(energy, model.discretization.communicator);
 }
 
 
@@ -111,6 +200,20 @@ template struct ElasticModel<2>;
 template struct ElasticModel<3>;
 template LA::Vector
 internal_forces(const ElasticModel<2> &, const LA::Vector &);
+template void
+assemble_tangent(const ElasticModel<2> &,
+                 const LA::Vector *,
+                 const AffineConstraints<double> &,
+                 LA::SparseMatrix &);
+template double
+stored_energy(const ElasticModel<2> &, const LA::Vector &, const LA::Vector &);
 template LA::Vector
 internal_forces(const ElasticModel<3> &, const LA::Vector &);
+template void
+assemble_tangent(const ElasticModel<3> &,
+                 const LA::Vector *,
+                 const AffineConstraints<double> &,
+                 LA::SparseMatrix &);
+template double
+stored_energy(const ElasticModel<3> &, const LA::Vector &, const LA::Vector &);
 } // namespace Setsudan

@@ -66,7 +66,7 @@ ElementStiffness<dim>::integrate(const Cell &cell,
 
   fe_values.reinit(cell);
   const auto dilatation    = dilatations(material.is_mixed);
-  const auto &[lambda, mu] = material.hooke;
+  const auto &[lambda, mu] = material.linear();
   matrix                   = 0;
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
@@ -139,10 +139,11 @@ internal_forces(const Discretization<dim> &discretization,
 
 template <int dim>
 void
-assemble_stiffness(const Discretization<dim> &discretization,
-                   const ElementStiffness<dim> &stiffness,
-                   const AffineConstraints<double> &constraints,
-                   LA::SparseMatrix &matrix)
+assemble_matrix(const Discretization<dim> &discretization,
+                const std::function<const FullMatrix<double> &(
+                  const typename Discretization<dim>::Cell &)> &matrix_of_cell,
+                const AffineConstraints<double> &constraints,
+                LA::SparseMatrix &matrix)
 {
   const IndexSet &owned       = discretization.owned;
   const MPI_Comm communicator = discretization.communicator;
@@ -168,9 +169,27 @@ assemble_stiffness(const Discretization<dim> &discretization,
       {
         cell->get_dof_indices(indices);
         constraints.distribute_local_to_global(
-          stiffness(cell), indices, matrix);
+          matrix_of_cell(cell), indices, matrix);
       }
   matrix.compress(VectorOperation::add);
+}
+
+
+
+template <int dim>
+void
+assemble_stiffness(const Discretization<dim> &discretization,
+                   const ElementStiffness<dim> &stiffness,
+                   const AffineConstraints<double> &constraints,
+                   LA::SparseMatrix &matrix)
+{
+  assemble_matrix<dim>(
+    discretization,
+    [&](const auto &cell) -> const FullMatrix<double> & {
+      return stiffness(cell);
+    },
+    constraints,
+    matrix);
 }
 
 
@@ -186,10 +205,22 @@ internal_forces(const Discretization<3> &,
                 const ElementStiffness<3> &,
                 const LA::Vector &);
 template void
+assemble_matrix(const Discretization<2> &,
+                const std::function<const FullMatrix<double> &(
+                  const Discretization<2>::Cell &)> &,
+                const AffineConstraints<double> &,
+                LA::SparseMatrix &);
+template void
 assemble_stiffness(const Discretization<2> &,
                    const ElementStiffness<2> &,
                    const AffineConstraints<double> &,
                    LA::SparseMatrix &);
+template void
+assemble_matrix(const Discretization<3> &,
+                const std::function<const FullMatrix<double> &(
+                  const Discretization<3>::Cell &)> &,
+                const AffineConstraints<double> &,
+                LA::SparseMatrix &);
 template void
 assemble_stiffness(const Discretization<3> &,
                    const ElementStiffness<3> &,

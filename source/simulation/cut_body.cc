@@ -130,6 +130,7 @@ CutBody<dim>::split_nodes(const LA::Vector &displacement)
   present_mesh        = std::move(split_mesh_to_come);
   element_labels.side = find_sides(present_mesh, begun_cuts.back().surface);
   rebuild();
+  present_model->internal.set(uncut->internal.by_cell());
   // The unknowns have new numbers, on earlier cuts too.
   std::vector<CutSurface<dim>> surfaces;
   for (const auto &begun : begun_cuts)
@@ -308,6 +309,8 @@ template <int dim>
 Choice<CutStrategy>
 CutBody<dim>::cut_strategy() const
 {
+  if (!present_model->is_linear())
+    return {CutStrategy::row_by_row, "since the material is not linear"};
   CutSize size;
   if (newest_seam && !is_finished)
     size = {static_cast<unsigned int>(newest_seam->rows().size()),

@@ -68,7 +68,7 @@ private:
     base.displacement.add(found.load_factor, per_load.displacement);
     base.internal.add(found.load_factor, per_load.internal);
     base.quality = quality;
-    set_solution(std::move(base), state);
+    set_solution(body.model(), std::move(base), state);
     return state;
   }
 };

@@ -156,7 +156,7 @@ Simulation<dim>::checkpoint_if_due(const Checkpoint::Stage stage)
       reached.event      = event;
       reached.refinement = body.refinement();
       reached.record     = recorder.save();
-      store_state(state, body.communicator(), reached);
+      store_state(state, body, reached);
       checkpoints.make(reached);
     }
   if (stops)
@@ -370,6 +370,7 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
   // Each split can only lower it.
   if (event.released_rows > 0)
     check_energy_of_split(body, state, new_state);
+  body.accept();
   state = std::move(new_state);
   recorder.doubt(event, state, overlap);
 }

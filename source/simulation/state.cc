@@ -1,4 +1,5 @@
 #include <setsudan/simulation/state.h>
+#include <setsudan/solver/equilibrium.h>
 
 namespace Setsudan
 {
@@ -46,12 +47,15 @@ lift_of(const CutBody<dim> &body, const State<dim> &state)
 
 template <int dim>
 void
-set_solution(Solution &&solution, State<dim> &state)
+set_solution(const ElasticModel<dim> &model,
+             Solution &&solution,
+             State<dim> &state)
 {
-  state.displacement  = std::move(solution.displacement);
-  state.internal      = std::move(solution.internal);
-  state.quality       = solution.quality;
-  state.strain_energy = stored_energy(state.displacement, state.internal);
+  state.displacement = std::move(solution.displacement);
+  state.internal     = std::move(solution.internal);
+  state.quality      = solution.quality;
+  state.strain_energy =
+    stored_energy(model, state.displacement, state.internal);
   state.potential_energy =
     state.strain_energy - state.forces * state.displacement;
 }
@@ -98,7 +102,8 @@ unbalanced_part(const CutBody<dim> &body,
   template State<dim> loaded_state(                                            \
     const CutBody<dim> &, const BladeLoad<dim> &, const double);               \
   template LA::Vector lift_of(const CutBody<dim> &, const State<dim> &);       \
-  template void set_solution(Solution &&, State<dim> &);                       \
+  template void set_solution(                                                  \
+    const ElasticModel<dim> &, Solution &&, State<dim> &);                     \
   template State<dim> solve_state(                                             \
     CutBody<dim> &, const BladeLoad<dim> &, const double, const LA::Vector &); \
   template double unbalanced_part(                                             \

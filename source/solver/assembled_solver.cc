@@ -14,13 +14,13 @@ AssembledSolver<dim>::AssembledSolver(
   const ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters,
-  const SolverKind kind)
+  const SolverKind kind,
+  const LA::Vector *about)
   : ConstrainedSolver<dim>(model, constraints, parameters)
   , kind(kind)
   , solver(make_linear_solver(kind, parameters))
 {
-  assemble_stiffness(
-    model.discretization, model.stiffness, constraints, matrix);
+  assemble_tangent(model, about, constraints, matrix);
   solver->initialize(
     matrix,
     solver->is_iterative()

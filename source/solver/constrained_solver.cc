@@ -21,6 +21,22 @@ ConstrainedSolver<dim>::ConstrainedSolver(
 
 
 template <int dim>
+LA::Vector
+ConstrainedSolver<dim>::increment(const LA::Vector &residual,
+                                  const LA::Vector &guess,
+                                  SolveQuality &quality)
+{
+  LA::Vector start = guess;
+  constraints.set_zero(start);
+  LA::Vector x =
+    solve_condensed(condense(constraints, residual), start, quality);
+  distribute(constraints, x);
+  return x;
+}
+
+
+
+template <int dim>
 Solution
 ConstrainedSolver<dim>::solve(const LA::Vector &forces,
                               const LA::Vector &lift,
@@ -28,16 +44,13 @@ ConstrainedSolver<dim>::solve(const LA::Vector &forces,
 {
   LA::Vector residual = forces;
   residual -= internal_forces(model, lift);
+  LA::Vector beyond_lift = guess;
+  beyond_lift -= lift;
 
   Solution solution;
-  LA::Vector &x = solution.displacement;
-  x             = guess;
-  x -= lift;
-  constraints.set_zero(x);
-  x = solve_condensed(condense(constraints, residual), x, solution.quality);
-  distribute(constraints, x);
-  x += lift;
-  solution.internal = internal_forces(model, x);
+  solution.displacement = increment(residual, beyond_lift, solution.quality);
+  solution.displacement += lift;
+  solution.internal = internal_forces(model, solution.displacement);
   return solution;
 }
 

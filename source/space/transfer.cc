@@ -9,64 +9,43 @@ namespace Setsudan
 {
 using namespace dealii;
 
-namespace
-{
-using CellValues = std::vector<double>;
-
-/** The process at which a cell's values are left and asked for: the processes
- * of the two meshes know nothing of each other's cells but their names. */
-unsigned int
-rendezvous_process(const CellPath &path, const MPI_Comm communicator)
-{
-  return path.element % Utilities::MPI::n_mpi_processes(communicator);
-}
-
-/** The values on the cells of this process. */
 template <int dim>
-std::map<unsigned int, std::vector<std::pair<CellPath, CellValues>>>
-collect_values(const Discretization<dim> &discretization,
-               const LA::Vector &displacement)
+CellData
+exchange_cell_data(const CellData &data, const Discretization<dim> &to)
 {
-  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues>>> values;
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+  const MPI_Comm communicator = to.communicator;
+  // The processes know nothing of each other's cells but their names, and meet
+  // at a process that follows from the name.
+  const auto rendezvous = [&](const CellPath &path) {
+    return path.element % Utilities::MPI::n_mpi_processes(communicator);
+  };
+  using List = std::vector<std::pair<CellPath, std::vector<double>>>;
+  std::map<unsigned int, List> given;
+  for (const auto &item : data)
+    given[rendezvous(item.first)].emplace_back(item);
+  std::map<unsigned int, std::vector<CellPath>> wanted;
+  for (const auto &cell : to.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        CellValues of_cell;
-        for (const auto &node : discretization.node_indices(cell))
-          for (const auto index : node)
-            of_cell.push_back(displacement(index));
         const CellPath path = path_of_cell<dim>(cell);
-        values[rendezvous_process(path, discretization.communicator)]
-          .emplace_back(path, of_cell);
+        wanted[rendezvous(path)].push_back(path);
       }
-  return values;
-}
 
-/** The values of the cells that each process asks for. */
-std::map<CellPath, CellValues>
-exchange(const std::map<unsigned int,
-                        std::vector<std::pair<CellPath, CellValues>>> &values,
-         const std::map<unsigned int, std::vector<CellPath>> &wanted,
-         const MPI_Comm communicator)
-{
-  std::map<CellPath, CellValues> left_here;
+  CellData left_here, result;
   for (const auto &[rank, cells] :
-       Utilities::MPI::some_to_some(communicator, values))
+       Utilities::MPI::some_to_some(communicator, given))
     left_here.insert(cells.begin(), cells.end());
-
-  std::map<unsigned int, std::vector<std::pair<CellPath, CellValues>>> answers;
+  std::map<unsigned int, List> answers;
   for (const auto &[rank, paths] :
        Utilities::MPI::some_to_some(communicator, wanted))
     for (const auto &path : paths)
       answers[rank].emplace_back(path, left_here.at(path));
-
-  std::map<CellPath, CellValues> result;
   for (const auto &[rank, cells] :
        Utilities::MPI::some_to_some(communicator, answers))
     result.insert(cells.begin(), cells.end());
   return result;
 }
-} // namespace
+
 
 
 template <int dim>
@@ -75,15 +54,16 @@ transfer(const Discretization<dim> &from,
          const LA::Vector &displacement,
          const Discretization<dim> &to)
 {
-  std::map<unsigned int, std::vector<CellPath>> wanted;
-  for (const auto &cell : to.dof_handler.active_cell_iterators())
+  CellData data;
+  for (const auto &cell : from.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        const CellPath path = path_of_cell<dim>(cell);
-        wanted[rendezvous_process(path, to.communicator)].push_back(path);
+        auto &of_cell = data[path_of_cell<dim>(cell)];
+        for (const auto &node : from.node_indices(cell))
+          for (const auto index : node)
+            of_cell.push_back(displacement(index));
       }
-  const auto values =
-    exchange(collect_values(from, displacement), wanted, to.communicator);
+  const auto values = exchange_cell_data(data, to);
 
   LA::Vector result = to.zero_vector();
   for (const auto &cell : to.dof_handler.active_cell_iterators())
@@ -105,10 +85,14 @@ transfer(const Discretization<dim> &from,
 
 
 
+template CellData
+exchange_cell_data(const CellData &, const Discretization<2> &);
 template LA::Vector
 transfer(const Discretization<2> &,
          const LA::Vector &,
          const Discretization<2> &);
+template CellData
+exchange_cell_data(const CellData &, const Discretization<3> &);
 template LA::Vector
 transfer(const Discretization<3> &,
          const LA::Vector &,

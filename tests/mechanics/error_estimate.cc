@@ -109,7 +109,7 @@ test_tube(const unsigned int n,
 
   StressEvaluator<dim> recovery(
     discretization, model.materials, QGauss<dim>(4));
-  const Hooke &hooke = model.materials.of_element(0).hooke;
+  const Hooke &hooke = model.materials.of_element(0).linear();
   double error = 0, energy = 0;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())

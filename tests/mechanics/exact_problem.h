@@ -140,7 +140,7 @@ private:
             if (!exact.gradient)
               continue;
             const Hooke &hooke =
-              model.materials.of_element(discretization.element(cell)).hooke;
+              model.materials.of_element(discretization.element(cell)).linear();
             const auto stress = hooke.stress(symmetrize(exact.gradient(point)));
             stress_difference +=
               std::pow((hooke.stress(strains[q]) - stress).norm(), 2) * JxW;

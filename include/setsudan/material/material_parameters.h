@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/body/body.h>
-#include <setsudan/material/material.h>
+#include <setsudan/material/constitutive_law.h>
 #include <setsudan/parameters/parameters.h>
 
 #include <string>
@@ -12,12 +12,16 @@ namespace Setsudan
 /** What a part of the body is made of. */
 struct Material
 {
-  Hooke hooke;
+  std::shared_ptr<const ConstitutiveLaw> law;
   double shear_limit;
   /** Energy per new area that a blade of sharpness 0 needs [force/length]. */
   double toughness;
   /** Whether the change of volume is projected (see Dilatation). */
   bool is_mixed;
+
+  /** The constants of its law, which is linear. */
+  const Hooke &
+  linear() const;
 };
 
 /** Subsection `Material`: the materials, and which element has which. */
@@ -53,6 +57,19 @@ public:
   /** Whether some of the materials need the mixed formulation. */
   bool
   any_is_mixed() const;
+
+  /** Whether the laws of all are linear. */
+  bool
+  is_linear() const;
+
+  /** Whether the law of any has internal variables. */
+  bool
+  has_internal_variables() const;
+
+  /** Let a material have another law. */
+  void
+  set_law(const unsigned int number,
+          const std::shared_ptr<const ConstitutiveLaw> &law);
 
   double linear_range;
   /** Whether the scene names the formulation, rather than leave it to

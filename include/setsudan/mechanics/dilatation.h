@@ -58,7 +58,8 @@ stress_of(const Material &material,
           const dealii::Point<dim> &position,
           const LinearFunction<dim> &dilatation)
 {
-  return material.is_mixed ? material.hooke.stress(strain, dilatation(position))
-                           : material.hooke.stress(strain);
+  return material.is_mixed
+           ? material.linear().stress(strain, dilatation(position))
+           : material.linear().stress(strain);
 }
 } // namespace Setsudan

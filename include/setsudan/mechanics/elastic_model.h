@@ -2,6 +2,7 @@
 
 #include <setsudan/body/supports.h>
 #include <setsudan/material/material_parameters.h>
+#include <setsudan/mechanics/internal_variables.h>
 #include <setsudan/mechanics/loads.h>
 #include <setsudan/mechanics/stiffness.h>
 
@@ -32,8 +33,14 @@ struct ElasticModel
   CellBatches<dim> &
   batches() const;
 
+  /** Whether all laws are linear. */
+  bool
+  is_linear() const;
+
   const MaterialParameters<dim> &materials;
   Discretization<dim> discretization;
+  /** Evaluating a state sets the trial ones. */
+  mutable InternalVariables<dim> internal;
   ElementStiffness<dim> stiffness;
   /** The constraints of hanging nodes, closed; none in a mesh that is refined
    * everywhere alike. */
@@ -56,14 +63,29 @@ private:
   mutable std::unique_ptr<CellBatches<dim>> cell_batches;
 };
 
-/** The nodal forces K u by which the elements resist a displacement, with no
- * constraint applied; neither has ghosts. */
+/** The internal forces F(u) by which the elements resist a displacement, K u in
+ * a linear body, with no constraint applied; neither has ghosts. */
 template <int dim>
 LA::Vector
 internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement);
 
-/** The energy that a displacement stores, of which the internal forces are
- * given: u.K u/2 in a linear body. */
+/** Assemble the tangent of the internal forces, condensed with `constraints`.
+ *
+ * @param displacement about which it is, without ghosts; null in a linear body.
+ */
+template <int dim>
+void
+assemble_tangent(const ElasticModel<dim> &model,
+                 const LA::Vector *displacement,
+                 const dealii::AffineConstraints<double> &constraints,
+                 LA::SparseMatrix &matrix);
+
+/** The energy that a displacement stores.
+ *
+ * @param internal its internal forces. */
+template <int dim>
 double
-stored_energy(const LA::Vector &displacement, const LA::Vector &internal);
+stored_energy(const ElasticModel<dim> &model,
+              const LA::Vector &displacement,
+              const LA::Vector &internal);
 } // namespace Setsudan

@@ -7,6 +7,7 @@
 #include <setsudan/mechanics/dilatation.h>
 #include <setsudan/space/cell_shapes.h>
 
+#include <functional>
 #include <vector>
 
 namespace Setsudan
@@ -70,11 +71,21 @@ internal_forces(const Discretization<dim> &discretization,
                 const LA::Vector &displacement);
 
 /**
- * Assemble the stiffness matrix of the body, condensed with `constraints`.
+ * Assemble the matrix of the body from those of its cells, condensed with
+ * `constraints`.
  *
  * Ties across a cut couple unknowns that no cell of this process has; the
  * constraints' local lines must contain them.
  */
+template <int dim>
+void
+assemble_matrix(const Discretization<dim> &discretization,
+                const std::function<const dealii::FullMatrix<double> &(
+                  const typename Discretization<dim>::Cell &)> &matrix_of_cell,
+                const dealii::AffineConstraints<double> &constraints,
+                LA::SparseMatrix &matrix);
+
+/** The same of the stiffness matrices. */
 template <int dim>
 void
 assemble_stiffness(const Discretization<dim> &discretization,

@@ -175,6 +175,20 @@ public:
   BladeLoad<dim>
   blade_on_row(const unsigned int row) const;
 
+  /** Let the internal variables be those of the state that was solved for. */
+  void
+  accept()
+  {
+    present_model->internal.accept();
+  }
+
+  /** Take the internal variables of an earlier run. */
+  void
+  set_internal(const CellData &data)
+  {
+    present_model->internal.set(data);
+  }
+
   /** The solver of the present state. It may be the same object at the next
    * call, for another state. */
   std::shared_ptr<TangentSolver>

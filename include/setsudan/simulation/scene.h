@@ -46,7 +46,8 @@ struct Scene
   const Body<dim> body;
   const Supports<dim> supports;
   const LoadParameters<dim> loads;
-  const MaterialParameters<dim> material;
+  /** Not const: a program of one's own may give a material another law. */
+  MaterialParameters<dim> material;
   const BladeParameters<dim> blade;
   const CutParameters<dim> cut;
   const YieldParameters yield;

@@ -51,7 +51,9 @@ lift_of(const CutBody<dim> &body, const State<dim> &state);
 /** Put a solution into a loaded state. */
 template <int dim>
 void
-set_solution(Solution &&solution, State<dim> &state);
+set_solution(const ElasticModel<dim> &model,
+             Solution &&solution,
+             State<dim> &state);
 
 /**
  * Solve for the body under its loads and `load_factor` times the blade.

@@ -14,11 +14,14 @@ class AssembledSolver : public ConstrainedSolver<dim>
 public:
   /** As the base.
    *
-   * @param kind any of which the matrix is assembled. */
+   * @param kind  any of which the matrix is assembled.
+   * @param about the displacement about which the tangent is; null in a linear
+   *   body. */
   AssembledSolver(const ElasticModel<dim> &model,
                   const dealii::AffineConstraints<double> &constraints,
                   const SolverParameters &parameters,
-                  const SolverKind kind);
+                  const SolverKind kind,
+                  const LA::Vector *about = nullptr);
 
 private:
   /** Solve, with iterative refinement. */

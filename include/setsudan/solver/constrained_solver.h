@@ -26,6 +26,15 @@ public:
         const LA::Vector &lift,
         const LA::Vector &guess) override;
 
+  /** Solve K d = r for a residual, with no constraint applied.
+   *
+   * @param guess   of d.
+   * @param quality is set. */
+  LA::Vector
+  increment(const LA::Vector &residual,
+            const LA::Vector &guess,
+            SolveQuality &quality);
+
 protected:
   /** Solve for condensed loads; constrained entries of the result have no
    * meaning.

@@ -37,7 +37,7 @@ estimate_error(const ElasticModel<dim> &model,
     if (cell->is_locally_owned())
       {
         const Hooke &material =
-          model.materials.of_element(discretization.element(cell)).hooke;
+          model.materials.of_element(discretization.element(cell)).linear();
         recovery.reinit(cell, displacement);
         const auto smooth = recovered.evaluate(cell, recovery);
         double square     = 0;

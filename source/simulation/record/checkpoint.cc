@@ -4,6 +4,7 @@
 #include <setsudan/simulation/record/checkpoint.h>
 
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
@@ -54,7 +55,7 @@ serialize(Archive &archive, Checkpoint &checkpoint, const unsigned int)
   archive &checkpoint.stage &checkpoint.n_frames &checkpoint
     .refinement &checkpoint.event &checkpoint.record &checkpoint
     .load_factor &checkpoint.stress.reached &checkpoint.stress
-    .required &checkpoint.yields &checkpoint.displacement;
+    .required &checkpoint.yields &checkpoint.displacement &checkpoint.internal;
 }
 
 
@@ -63,7 +64,7 @@ namespace
 {
 const std::string file_name = "checkpoint";
 // Begins the file; the number changes with what is in it.
-const std::string signature = "setsudan checkpoint 2\n";
+const std::string signature = "setsudan checkpoint 3\n";
 } // namespace
 
 
@@ -126,22 +127,24 @@ read_checkpoint(const OutputDirectory &directory, const MPI_Comm communicator)
 template <int dim>
 void
 store_state(const State<dim> &state,
-            const MPI_Comm communicator,
+            const CutBody<dim> &body,
             Checkpoint &checkpoint)
 {
   checkpoint.load_factor  = state.load_factor;
   checkpoint.stress       = state.stress;
   checkpoint.yields       = state.yields;
   checkpoint.displacement = Utilities::MPI::gather(
-    communicator,
+    body.communicator(),
     std::vector<double>(state.displacement.begin(), state.displacement.end()));
+  checkpoint.internal = Utilities::MPI::gather(body.communicator(),
+                                               body.model().internal.by_cell());
 }
 
 
 
 template <int dim>
 State<dim>
-restore_state(const Checkpoint &checkpoint, const CutBody<dim> &body)
+restore_state(const Checkpoint &checkpoint, CutBody<dim> &body)
 {
   const auto &model = body.model();
   Solution solution;
@@ -155,6 +158,9 @@ restore_state(const Checkpoint &checkpoint, const CutBody<dim> &body)
   State<dim> state;
   if (fits)
     {
+      body.set_internal(
+        checkpoint
+          .internal[Utilities::MPI::this_mpi_process(body.communicator())]);
       std::copy(own.begin(), own.end(), solution.displacement.begin());
       solution.internal = internal_forces(model, solution.displacement);
       state             = loaded_state(body,
@@ -162,7 +168,7 @@ restore_state(const Checkpoint &checkpoint, const CutBody<dim> &body)
                                          ? no_blade(model)
                                          : body.blade_on_row(checkpoint.event.row),
                            checkpoint.load_factor);
-      set_solution(std::move(solution), state);
+      set_solution(model, std::move(solution), state);
       fits = std::abs(state.strain_energy - checkpoint.event.strain_energy) <=
              1e-10 * std::abs(state.strain_energy);
     }
@@ -179,11 +185,11 @@ restore_state(const Checkpoint &checkpoint, const CutBody<dim> &body)
 
 
 template void
-store_state(const State<2> &, const MPI_Comm, Checkpoint &);
+store_state(const State<2> &, const CutBody<2> &, Checkpoint &);
 template State<2>
-restore_state(const Checkpoint &, const CutBody<2> &);
+restore_state(const Checkpoint &, CutBody<2> &);
 template void
-store_state(const State<3> &, const MPI_Comm, Checkpoint &);
+store_state(const State<3> &, const CutBody<3> &, Checkpoint &);
 template State<3>
-restore_state(const Checkpoint &, const CutBody<3> &);
+restore_state(const Checkpoint &, CutBody<3> &);
 } // namespace Setsudan

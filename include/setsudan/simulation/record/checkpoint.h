@@ -39,6 +39,8 @@ struct Checkpoint
   bool yields = false;
   /** For each process its part of the displacement. */
   std::vector<std::vector<double>> displacement;
+  /** For each process the internal variables of its cells. */
+  std::vector<CellData> internal;
 };
 
 /** Write a checkpoint as a whole, in place of the last one. Called by all
@@ -67,7 +69,7 @@ read_checkpoint(const OutputDirectory &directory, const MPI_Comm communicator);
 template <int dim>
 void
 store_state(const State<dim> &state,
-            const MPI_Comm communicator,
+            const CutBody<dim> &body,
             Checkpoint &checkpoint);
 
 /**
@@ -77,5 +79,5 @@ store_state(const State<dim> &state,
  */
 template <int dim>
 State<dim>
-restore_state(const Checkpoint &checkpoint, const CutBody<dim> &body);
+restore_state(const Checkpoint &checkpoint, CutBody<dim> &body);
 } // namespace Setsudan

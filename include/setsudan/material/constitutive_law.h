@@ -1,0 +1,81 @@
+#pragma once
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/tensor.h>
+
+#include <setsudan/material/material.h>
+
+#include <memory>
+
+namespace Setsudan
+{
+/** What a law answers to a displacement gradient. */
+struct MaterialResponse
+{
+  /** The first Piola-Kirchhoff stress; the Cauchy stress where strains are
+   * small [force/area]. */
+  dealii::Tensor<2, 3> stress;
+  /** Its derivative by the displacement gradient [force/area]. */
+  dealii::Tensor<4, 3> tangent;
+  /** Stored energy per volume at rest [force/area]. */
+  double energy = 0;
+};
+
+/** The law of a material at a point. Laws are written once, in space; plane
+ * strain is a gradient without entries across the plane. */
+class ConstitutiveLaw
+{
+public:
+  virtual ~ConstitutiveLaw() = default;
+
+  /** The constants of a law whose tangent never changes, or null. A body of
+   * such laws only is linear, and is left to the fast kernels. */
+  virtual const Hooke *
+  linear() const
+  {
+    return nullptr;
+  }
+
+  /** How many internal variables a point has. */
+  virtual unsigned int
+  n_internal() const
+  {
+    return 0;
+  }
+
+  /** Set the internal variables of the body at rest. */
+  virtual void
+  initialize(const dealii::ArrayView<double> &internal) const
+  {
+    (void)internal;
+  }
+
+  /**
+   * @param gradient of the displacement.
+   * @param before   the internal variables of the last accepted state.
+   * @param after    those of this state; is written.
+   */
+  virtual MaterialResponse
+  evaluate(const dealii::Tensor<2, 3> &gradient,
+           const dealii::ArrayView<const double> &before,
+           const dealii::ArrayView<double> &after) const = 0;
+};
+
+/** Hooke's law. */
+class LinearElasticity : public ConstitutiveLaw
+{
+public:
+  explicit LinearElasticity(const Hooke &hooke);
+
+  const Hooke *
+  linear() const override;
+
+  MaterialResponse
+  evaluate(const dealii::Tensor<2, 3> &gradient,
+           const dealii::ArrayView<const double> &before,
+           const dealii::ArrayView<double> &after) const override;
+
+private:
+  const Hooke hooke;
+};
+} // namespace Setsudan

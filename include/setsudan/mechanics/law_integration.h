@@ -1,0 +1,43 @@
+#pragma once
+
+#include <setsudan/mechanics/internal_variables.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+
+namespace Setsudan
+{
+/** Integrates the forces, the tangent and the energy of one cell after another
+ * with whatever laws, by FEValues. Laws that are all linear have faster ways
+ * (see CellBatches and ElementStiffness). */
+template <int dim>
+class LawIntegration
+{
+public:
+  using Cell = typename Discretization<dim>::Cell;
+
+  /** All must live as long. The trial state of the internal variables is set by
+   * reinit(). */
+  LawIntegration(const Discretization<dim> &discretization,
+                 const MaterialParameters<dim> &materials,
+                 InternalVariables<dim> &internal);
+
+  /** Evaluate the laws in a cell.
+   *
+   * @param displacement with ghosts. */
+  void
+  reinit(const Cell &cell, const LA::Vector &displacement);
+
+  // Of the present cell, in the order of its unknowns.
+  dealii::Vector<double> forces;
+  dealii::FullMatrix<double> tangent;
+  double energy = 0;
+
+private:
+  const Discretization<dim> &discretization;
+  const MaterialParameters<dim> &materials;
+  InternalVariables<dim> &internal;
+  dealii::FEValues<dim> fe_values;
+  std::vector<dealii::Tensor<2, dim>> gradients;
+};
+} // namespace Setsudan

@@ -1,0 +1,41 @@
+// Hooke's law by the way of laws that are not linear, with an internal variable
+// that counts the states which were accepted.
+#pragma once
+
+#include <setsudan/material/constitutive_law.h>
+
+namespace Setsudan
+{
+class CountingLaw : public ConstitutiveLaw
+{
+public:
+  explicit CountingLaw(const Hooke &hooke)
+    : elastic(hooke)
+  {
+  }
+
+  unsigned int
+  n_internal() const override
+  {
+    return 1;
+  }
+
+  void
+  initialize(const dealii::ArrayView<double> &internal) const override
+  {
+    internal[0] = 0;
+  }
+
+  MaterialResponse
+  evaluate(const dealii::Tensor<2, 3> &gradient,
+           const dealii::ArrayView<const double> &before,
+           const dealii::ArrayView<double> &after) const override
+  {
+    after[0] = before[0] + 1;
+    return elastic.evaluate(gradient, before, after);
+  }
+
+private:
+  const LinearElasticity elastic;
+};
+} // namespace Setsudan
