@@ -152,7 +152,8 @@ describe_loose_pieces(const CutBody<dim> &body,
       pieces_by_hold[loose.hold.size()] += " " + std::to_string(loose.piece);
   std::vector<std::string> lines;
   for (const auto &[n, pieces] : pieces_by_hold)
-    lines.push_back("  pieces without a support of their own:" + pieces + " (" +
+    lines.push_back("  floating pieces, which no support holds:" + pieces +
+                    " (" +
                     (drops ? "left out from now on"
                            : "held at " + std::to_string(n) +
                                (n == 1 ? " component" : " components") +

@@ -17,8 +17,8 @@ warn_of_strain(const Event &event, const double linear_range)
   message << "in frame " << event.frame << " a principal strain of "
           << event.max_strain
           << " exceeds Material/Linear range = " << linear_range
-          << ": the linear theory has left its range, and the deformation is "
-             "not to be taken for real.";
+          << ": small-strain theory is not valid there, do not interpret the "
+             "deformation quantitatively.";
   return message.str();
 }
 
@@ -58,13 +58,14 @@ warn_of_round_off(const SolveQuality &quality)
 {
   std::ostringstream message;
   message.precision(2);
-  message << "digits are lost: the equations are solved up to "
+  message << "digits are lost, the system is ill-conditioned: the relative "
+             "residual is "
           << quality.residual
-          << " of the loads, and displacements are uncertain by about "
+          << " and the estimated relative error of displacements "
           << quality.estimated_relative_error
-          << " of the largest, because the body is very slender or its "
-             "stiffness very uneven (a Poisson's ratio near 1/2, flat "
-             "elements, or materials far apart).";
+          << ", because the body is very slender or its stiffness very uneven "
+             "(a Poisson's ratio near 1/2, flat elements, or materials far "
+             "apart).";
   return message.str();
 }
 } // namespace

@@ -288,8 +288,8 @@ Simulation<dim>::split_nodes()
   std::ostringstream line;
   line.precision(2);
   line << "  seam of " << body.seam().n_double_pairs()
-       << " node pairs; tied, it leaves " << unbalanced
-       << " of the forces unbalanced";
+       << " node pairs; relative residual with all of them tied: "
+       << unbalanced;
   const double allowed = std::max(
     {1e-10, 100 * state.quality.residual, 10 * body.mesh().round_off()});
   if (!(unbalanced <= allowed))

@@ -70,7 +70,15 @@ solve_state(CutBody<dim> &body,
             const LA::Vector &guess)
 {
   State<dim> state = loaded_state(body, blade, load_factor);
-  set_solution(body.solver()->solve(state.forces, lift_of(body, state), guess),
+  const EquilibriumProblem<dim> problem{
+    body.model(),
+    std::make_shared<const AffineConstraints<double>>(body.constraints()),
+    state.forces,
+    lift_of(body, state)};
+  set_solution(body.model(),
+               body.model().is_linear()
+                 ? solve_linear(problem, *body.solver(), guess)
+                 : solve_newton(problem, body.scene().solver, guess),
                state);
   return state;
 }

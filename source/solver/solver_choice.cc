@@ -100,8 +100,7 @@ choose_cut_strategy(const SolverParameters &parameters,
   if (interface_memory(cut.n_interface_unknowns) > most_interface_memory)
     return row_by_row("since the cut has too many unknowns for the memory");
   return {CutStrategy::condensed,
-          "since " + std::to_string(cut.n_rows) +
-            " rows take less time so than one by one"};
+          "since there are " + std::to_string(cut.n_rows) + " rows"};
 }
 
 

@@ -145,7 +145,7 @@ test_bar()
           error = std::max(error, std::abs(u(nodes[node][1])));
         }
     }
-  check_below("bar of several materials", error, 1e-13);
+  check_below("bar of several materials", error, 1e-12);
 }
 
 

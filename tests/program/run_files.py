@@ -1,12 +1,22 @@
-"""The files of a run: whether they are whole, and whether two runs made the same.
+"""The files of a run: whether they are whole, and whether two runs made the same, up
+to the tolerance of their solvers.
 """
 
 import csv
 import pathlib
 import re
+import struct
+import zlib
 
-# What a run may say anew each time: the time it took, and the date in a frame.
-SECONDS = "seconds"
+TOLERANCE = 1e-7
+# What a run may say anew each time: the time it took, what its solver left over, and
+# the date in a frame.
+NOT_COMPARED = ("seconds", "force_residual", "moment_residual")
+COMPONENT = re.compile(r"_[xyz]$|(?<=^u)[xyz]$|(?<=^s)[xyz]{2}$")
+# An array of numbers in a frame: its type, and where it begins.
+ARRAY = re.compile(rb'<DataArray type="(\w+)"[^>]*format="appended" offset="(\d+)"/>')
+FORMATS = {b"Float32": ("f", 4), b"Float64": ("d", 8), b"Int32": ("i", 4),
+           b"Int64": ("q", 8), b"UInt8": ("B", 1)}
 COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 # The last line of each kind of file.
 ENDINGS = {".vtu": b"</VTKFile>", ".pvtu": b"</VTKFile>", ".pvd": b"</VTKFile>",
@@ -40,19 +50,80 @@ def broken_files(directory):
                 yield f"{path.name} is cut off"
 
 
-def statistics(path):
-    """The table without the time that the events took."""
-    table = rows(path)
-    column = table[0].index(SECONDS)
-    return [row[:column] + row[column + 1 :] for row in table]
+def is_close(values, others):
+    """Whether lists of numbers agree, relative to the largest of them."""
+    scale = max([abs(value) for value in others], default=0)
+    return len(values) == len(others) and all(
+        abs(a - b) <= TOLERANCE * scale for a, b in zip(values, others))
+
+
+def numbers_or_none(texts):
+    try:
+        return [float(text) for text in texts]
+    except ValueError:
+        return None
+
+
+def same_tables(path, other):
+    """Texts are the same, and numbers close; of the components of a vector,
+    relative to the largest of all."""
+    table, expected = rows(path), rows(other)
+    if [len(row) for row in table] != [len(row) for row in expected] or \
+            table[0] != expected[0]:
+        return False
+    groups = {}
+    for column, name in enumerate(table[0]):
+        if name not in NOT_COMPARED:
+            groups.setdefault(COMPONENT.sub("", name), []).append(column)
+    for columns in groups.values():
+        texts, others = ([row[c] for row in lines[1:] for c in columns]
+                         for lines in (table, expected))
+        values, theirs = numbers_or_none(texts), numbers_or_none(others)
+        if values is None or theirs is None:
+            if texts != others:
+                return False
+        elif not is_close(values, theirs):
+            return False
+    return True
+
+
+def arrays_of(data):
+    """The arrays of a VTU file, and what else is in it."""
+    head, _, appended = data.partition(b'<AppendedData encoding="raw">\n_')
+    arrays = []
+    for match in ARRAY.finditer(head):
+        kind, begin = match[1], int(match[2])
+        n_blocks, = struct.unpack_from("I", appended, begin)
+        sizes = struct.unpack_from(f"{n_blocks}I", appended, begin + 12)
+        begin += 12 + 4 * n_blocks
+        content = b""
+        for size in sizes:
+            content += zlib.decompress(appended[begin:begin + size])
+            begin += size
+        code, width = FORMATS[kind]
+        arrays.append(struct.unpack(f"{len(content) // width}{code}", content))
+    return re.sub(rb' offset="\d+"', b"", COMMENT.sub(b"", head)), arrays
+
+
+def same_frames(path, other):
+    (head, arrays), (expected, others) = (
+        arrays_of(file.read_bytes()) for file in (path, other))
+    return head == expected and len(arrays) == len(others) and all(
+        is_close(*pair) for pair in zip(arrays, others))
 
 
 def content(path):
-    if path.name == "statistics.csv":
-        return statistics(path)
     if path.name == "parameters.prm":
         return re.sub(rb"set Directory .*", b"", path.read_bytes())
     return COMMENT.sub(b"", path.read_bytes())
+
+
+def are_same(path, other):
+    if path.suffix == ".csv":
+        return same_tables(path, other)
+    if path.suffix == ".vtu":
+        return same_frames(path, other)
+    return content(path) == content(other)
 
 
 def differences(directory, expected):
@@ -62,7 +133,6 @@ def differences(directory, expected):
     for name in sorted(set(names) ^ set(others)):
         yield f"{name} is in one directory only"
     for name in sorted(set(names) & set(others)):
-        if content(pathlib.Path(directory) / name) != content(
-            pathlib.Path(expected) / name
-        ):
+        if not are_same(pathlib.Path(directory) / name,
+                        pathlib.Path(expected) / name):
             yield f"{name} differs"

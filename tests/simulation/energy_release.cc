@@ -79,6 +79,7 @@ test(const std::vector<SceneEntry> &more)
   const auto without =
     body.constraints(body.seam().released(body.pair_states(), row));
   set_solution(
+    body.model(),
     anew(body, without).solve(released.forces, lift_of(body, released), zero),
     released);
 
