@@ -28,6 +28,13 @@ run_test(int argc, char **argv, const std::function<void()> &test)
   return 0;
 }
 
+/** Whether this process is the one that prints. */
+inline bool
+is_first_process()
+{
+  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+}
+
 /** Print `name`, and whether `error` is below `tolerance`; the value itself is
  * printed only where it is not, so that round-off does not matter. */
 inline void
@@ -48,6 +55,6 @@ check_below_on_all(const std::string &name,
                    const double tolerance = 1e-12)
 {
   const double largest = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD);
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (is_first_process())
     check_below(name, largest, tolerance);
 }

@@ -14,13 +14,6 @@
 using namespace Setsudan;
 using namespace dealii;
 
-bool
-is_first_process()
-{
-  return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-}
-
-
 /** Which solver it was: the two direct ones differ by the size. */
 template <int dim>
 std::string
