@@ -9,6 +9,7 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <string>
 
 /** Run `test` under MPI; print what it throws, and return the exit status. */
 inline int

@@ -7,7 +7,9 @@
 #include <setsudan/output/frames/frame_content.h>
 #include <setsudan/simulation/equilibrium_choice.h>
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace Setsudan

@@ -6,6 +6,7 @@
 #include <setsudan/simulation/state.h>
 
 #include <optional>
+#include <vector>
 
 namespace Setsudan
 {

@@ -3,6 +3,9 @@
 #include <setsudan/solver/constrained_equilibrium.h>
 #include <setsudan/solver/linear/linear_solver.h>
 
+#include <memory>
+#include <string>
+
 namespace Setsudan
 {
 /**

@@ -3,6 +3,8 @@
 #include <setsudan/cut/seam/seam.h>
 #include <setsudan/mechanics/pieces/piece_motions.h>
 
+#include <vector>
+
 namespace Setsudan
 {
 /**

@@ -2,6 +2,8 @@
 
 #include <setsudan/cut/seam/seam.h>
 
+#include <vector>
+
 namespace Setsudan
 {
 /** Where the two walls of a cut have moved through each other the farthest. */

@@ -4,6 +4,8 @@
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/output/frames/vtu.h>
 
+#include <vector>
+
 namespace Setsudan
 {
 /** What a cell of the body is called in a frame, one value per element. */

@@ -5,6 +5,8 @@
 #include <Epetra_LinearProblem.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 class Amesos_BaseSolver;
 class Amesos_Mumps;
