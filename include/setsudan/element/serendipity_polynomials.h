@@ -14,18 +14,18 @@
 namespace Setsudan
 {
 /**
- * The quadratic serendipity polynomials on the unit cell $[0,1]^d$: the 3 (1D),
- * 8 (2D) or 20 (3D) functions that are one at one node and zero at the others.
- * The nodes are the vertices and then the midpoints of the lines, both in
- * deal.II's order. In 3D these are the functions $N_0 \ldots N_{19}$ of
+ * The quadratic serendipity polynomials on the unit cell @f$[0,1]^d@f$: the 3
+ * (1D), 8 (2D) or 20 (3D) functions that are one at one node and zero at the
+ * others. The nodes are the vertices and then the midpoints of the lines, both
+ * in deal.II's order. In 3D these are the functions @f$N_0 \ldots N_{19}@f$ of
  * Kakefuda et al. (1996), equations (1) and (2), on another unit cell and in
  * another order; in 1D they are the traces on the faces of a 2D cell.
  *
  * The functions span the monomials of superlinear degree at most two; the
  * superlinear degree counts only the variables that enter with a power of at
  * least two (Arnold and Awanou, The serendipity family of finite elements,
- * Found. Comput. Math. 11, 2011). So $x^2 y z$ belongs to the space and
- * $x^2 y^2$ does not.
+ * Found. Comput. Math. 11, 2011). So @f$x^2 y z@f$ belongs to the space and
+ * @f$x^2 y^2@f$ does not.
  */
 template <int dim>
 class SerendipityPolynomials : public dealii::ScalarPolynomialsBase<dim>
