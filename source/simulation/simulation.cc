@@ -21,12 +21,15 @@ template <int dim>
 Simulation<dim>::Simulation(const Scene<dim> &scene,
                             const Parameters &parameters,
                             const MPI_Comm communicator,
+                            TimerOutput &timer,
                             const std::optional<Checkpoint> &checkpoint)
   : scene(scene)
+  , timer(timer)
   , checkpoint(checkpoint)
   , recorder(scene,
              parameters,
              communicator,
+             timer,
              checkpoint ? OutputDirectory::Earlier::kept
                         : OutputDirectory::Earlier::removed)
   , checkpoints(scene.output.checkpoint,
@@ -157,6 +160,7 @@ Simulation<dim>::reach(const Checkpoint::Stage stage)
       reached.event      = event;
       reached.refinement = body.refinement;
       reached.record     = recorder.save();
+      const TimerOutput::Scope section(timer, "checkpoint");
       store_state(state, body.communicator, reached);
       checkpoints.make(reached);
     }
@@ -193,8 +197,7 @@ Simulation<dim>::deform_only()
     recorder.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
-  accept(solve_state(scene, body, no_blade(body), 0, state.displacement),
-         no_blade(body));
+  accept(solve(no_blade(body), 0), no_blade(body));
   recorder.record("deform", event);
   recorder.write_state(body, state, no_blade(body), event, true);
 }
@@ -205,6 +208,7 @@ template <int dim>
 bool
 Simulation<dim>::approach(const unsigned int cut)
 {
+  const TimerOutput::Scope section(timer, "find cut");
   const Cut<dim> &chosen = scene.cut.cuts[cut];
   if (!body.approach(chosen))
     {
@@ -233,19 +237,18 @@ template <int dim>
 void
 Simulation<dim>::deform(const unsigned int row)
 {
-  using LoadControl = DivisionParameters::LoadControl;
-  const bool ramp   = scene.division.load_control == LoadControl::ramp;
-  const auto blade  = blade_on_row(body, row);
-  if (ramp && is_judged(scene, row))
-    accept(solve_ramp(scene, body, blade, row), blade);
-  else
-    {
-      // A cut that runs through does so at the load that opened it.
-      accept(
-        solve_row(
-          scene, body, blade, ramp ? state.load_factor : 1, state.displacement),
-        blade);
-    }
+  using LoadControl         = DivisionParameters::LoadControl;
+  const bool ramp           = scene.division.load_control == LoadControl::ramp;
+  const auto blade          = blade_on_row(body, row);
+  const auto solve_this_row = [&] {
+    const TimerOutput::Scope section(timer, "solve");
+    if (ramp && is_judged(scene, row))
+      return solve_ramp(scene, body, blade, row);
+    // A cut that runs through does so at the load that opened it.
+    return solve_row(
+      scene, body, blade, ramp ? state.load_factor : 1, state.displacement);
+  };
+  accept(solve_this_row(), blade);
 
   if (row > 0)
     recorder.record("release", event);
@@ -291,6 +294,7 @@ template <int dim>
 void
 Simulation<dim>::open()
 {
+  const TimerOutput::Scope section(timer, "surgery");
   const auto uncut = std::move(body.model);
   const LA::Vector displacement =
     uncut->discretization.with_ghosts(state.displacement);
@@ -325,8 +329,7 @@ template <int dim>
 void
 Simulation<dim>::open_before_yield()
 {
-  state =
-    solve_state(scene, body, blade_on_row(body, 0), 1, state.displacement);
+  state = solve(blade_on_row(body, 0), 1);
   open();
 }
 
@@ -336,6 +339,7 @@ template <int dim>
 void
 Simulation<dim>::release(const unsigned int row)
 {
+  const TimerOutput::Scope section(timer, "release ties");
   const auto known = body.floating_pieces;
   body.release(row);
   say_what_is_loose(known);
@@ -361,9 +365,7 @@ Simulation<dim>::divide()
   const auto known = body.floating_pieces;
   body.divide();
   say_what_is_loose(known);
-  State<dim> divided =
-    solve_state(scene, body, no_blade(body), 0, state.displacement);
-  accept(std::move(divided), no_blade(body));
+  accept(solve(no_blade(body), 0), no_blade(body));
   recorder.record("release", event);
   recorder.record("divide", event);
   recorder.write_state(body, state, no_blade(body), event, true);
@@ -373,9 +375,20 @@ Simulation<dim>::divide()
 
 
 template <int dim>
+State<dim>
+Simulation<dim>::solve(const BladeLoad<dim> &blade, const double load_factor)
+{
+  const TimerOutput::Scope section(timer, "solve");
+  return solve_state(scene, body, blade, load_factor, state.displacement);
+}
+
+
+
+template <int dim>
 void
 Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
 {
+  const TimerOutput::Scope section(timer, "check state");
   event.frame        = n_frames++;
   const auto overlap = describe_state(scene, body, blade, new_state, event);
   if (scene.accuracy.estimate)
