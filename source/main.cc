@@ -1,4 +1,6 @@
+#include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
 
 #include <CLI/CLI.hpp>
 #include <setsudan/kernel/blas.h>
@@ -84,7 +86,13 @@ run(const CommandLine &command_line,
     parameters.print(std::cout);
   if (command_line.scene.empty())
     return;
+  // Without a communicator its sections wait for no other process.
+  dealii::ConditionalOStream out(std::cout, speaks);
+  dealii::TimerOutput timer(
+    out, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+  timer.enter_subsection("read scene");
   const Scene<dim> scene(parameters);
+  timer.leave_subsection();
   if (command_line.validate)
     say_what_is_valid(command_line, scene, communicator);
   if (command_line.validate || command_line.print_parameters)
@@ -93,11 +101,19 @@ run(const CommandLine &command_line,
   EarlierRun earlier;
   if (command_line.resume)
     earlier = find_earlier_run(scene, parameters, communicator);
-  if (!earlier.finished)
-    Simulation<dim>(scene, parameters, communicator, earlier.checkpoint).run();
-  else if (speaks)
-    std::cout << "The run in " << scene.output.directory
-              << " has ended: there is nothing to resume." << std::endl;
+  if (earlier.finished)
+    {
+      out << "The run in " << scene.output.directory
+          << " has ended: there is nothing to resume." << std::endl;
+      return;
+    }
+  timer.enter_subsection("set up body");
+  Simulation<dim> simulation(
+    scene, parameters, communicator, timer, earlier.checkpoint);
+  timer.leave_subsection();
+  simulation.run();
+  if (command_line.verbose)
+    timer.print_wall_time_statistics(communicator);
 }
 
 /** Say what is wrong. What the message quotes of a file may be anything: no
@@ -176,9 +192,11 @@ read(int argc, char **argv, const bool speaks, CommandLine &command_line)
                command_line.validate,
                "Check the scene, say what it selects, and stop; with --output "
                "write it as a frame for ParaView");
-  app.add_flag("--verbose",
-               command_line.verbose,
-               "Say which kernels and threads the program computes with");
+  app.add_flag(
+    "--verbose",
+    command_line.verbose,
+    "Say which kernels and threads the program computes with, and at "
+    "the end where the time went");
   app.add_flag("--print-parameters",
                command_line.print_parameters,
                "Print all parameters and stop");
@@ -226,9 +244,15 @@ main(int argc, char **argv)
       else
         run<3>(command_line, entries, communicator);
     }
+  // All processes read the same scene, and stop at the same error or state.
   catch (const SceneError &error)
     {
-      // All processes read the same scene, and stop at the same error.
+      if (speaks)
+        say_error(error.what());
+      return failure;
+    }
+  catch (const RunInterrupted &error)
+    {
       if (speaks)
         say_error(error.what());
       return failure;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <string>
 
 /** Run `test` under MPI; print what it throws, and return the exit status. */
 inline int
@@ -26,6 +27,13 @@ run_test(int argc, char **argv, const std::function<void()> &test)
       return 1;
     }
   return 0;
+}
+
+/** Whether this process is the one that prints. */
+inline bool
+is_first_process()
+{
+  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 }
 
 /** Print `name`, and whether `error` is below `tolerance`; the value itself is
@@ -48,6 +56,6 @@ check_below_on_all(const std::string &name,
                    const double tolerance = 1e-12)
 {
   const double largest = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD);
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (is_first_process())
     check_below(name, largest, tolerance);
 }

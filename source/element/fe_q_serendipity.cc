@@ -9,6 +9,8 @@
 
 namespace Setsudan
 {
+using namespace dealii;
+
 namespace
 {
 /** One unknown for each vertex and line, none for quadrilaterals and hexahedra.

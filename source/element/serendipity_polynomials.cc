@@ -8,6 +8,8 @@
 
 namespace Setsudan
 {
+using namespace dealii;
+
 namespace
 {
 /** The @p order-th derivative of $x^e$. */

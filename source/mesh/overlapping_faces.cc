@@ -149,10 +149,12 @@ find_overlapping_faces(const CoarseMesh<dim> &mesh,
       near.clear();
       tree.query(boost::geometry::index::intersects(face.center),
                  std::back_inserter(near));
-      if (std::any_of(near.begin(), near.end(), [&](const unsigned int other) {
-            return lie_on(face, faces[other]);
-          }))
-        found.push_back(face.face);
+      for (const unsigned int other : near)
+        if (lie_on(face, faces[other]))
+          {
+            found.push_back(face.face);
+            break;
+          }
     }
   return found;
 }

@@ -19,12 +19,15 @@ template <int dim>
 Simulation<dim>::Simulation(const Scene<dim> &scene,
                             const Parameters &parameters,
                             const MPI_Comm communicator,
+                            TimerOutput &timer,
                             const std::optional<Checkpoint> &checkpoint)
   : scene(scene)
+  , timer(timer)
   , checkpoint(checkpoint)
   , recorder(scene,
              parameters,
              communicator,
+             timer,
              checkpoint ? OutputDirectory::Earlier::kept
                         : OutputDirectory::Earlier::removed)
   , checkpoints(scene.output.checkpoint,
@@ -156,6 +159,7 @@ Simulation<dim>::checkpoint_if_due(const Checkpoint::Stage stage)
       reached.event      = event;
       reached.refinement = body.refinement();
       reached.record     = recorder.save();
+      const TimerOutput::Scope section(timer, "checkpoint");
       store_state(state, body, reached);
       checkpoints.make(reached);
     }
@@ -192,8 +196,7 @@ Simulation<dim>::deform_only()
     recorder.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
-  accept(solve_state(body, no_blade(body.model()), 0, state.displacement),
-         no_blade(body.model()));
+  accept(solve(no_blade(body.model()), 0), no_blade(body.model()));
   recorder.record("deform", event);
   recorder.write_state(body, state, no_blade(body.model()), event, true);
 }
@@ -204,6 +207,7 @@ template <int dim>
 bool
 Simulation<dim>::begin_cut(const unsigned int cut)
 {
+  const TimerOutput::Scope section(timer, "find cut");
   const Cut<dim> &chosen = scene.cut.cuts[cut];
   if (!body.begin_cut(chosen))
     {
@@ -232,8 +236,12 @@ template <int dim>
 void
 Simulation<dim>::deform(const unsigned int row)
 {
-  const auto blade = body.blade_on_row(row);
-  accept(drive->advance(body, blade, state), blade);
+  const auto blade   = body.blade_on_row(row);
+  const auto advance = [&] {
+    const TimerOutput::Scope section(timer, "solve");
+    return drive->advance(body, blade, state);
+  };
+  accept(advance(), blade);
 
   if (row > 0)
     recorder.record("release", event);
@@ -279,6 +287,7 @@ template <int dim>
 void
 Simulation<dim>::split_nodes()
 {
+  const TimerOutput::Scope section(timer, "surgery");
   state.displacement = body.split_nodes(state.displacement);
   state.opening      = body.model().discretization.zero_vector();
   state.internal     = internal_forces(body.model(), state.displacement);
@@ -308,7 +317,7 @@ template <int dim>
 void
 Simulation<dim>::split_nodes_before_yield()
 {
-  state = solve_state(body, body.blade_on_row(0), 1, state.displacement);
+  state = solve(body.blade_on_row(0), 1);
   split_nodes();
 }
 
@@ -318,6 +327,7 @@ template <int dim>
 void
 Simulation<dim>::release_row(const unsigned int row)
 {
+  const TimerOutput::Scope section(timer, "release ties");
   const auto known = body.floating_pieces();
   body.release_row(row);
   say_what_is_loose(known);
@@ -343,8 +353,7 @@ Simulation<dim>::finish_cut()
   const auto known = body.floating_pieces();
   body.finish_cut();
   say_what_is_loose(known);
-  accept(solve_state(body, no_blade(body.model()), 0, state.displacement),
-         no_blade(body.model()));
+  accept(solve(no_blade(body.model()), 0), no_blade(body.model()));
   recorder.record("release", event);
   recorder.record("divide", event);
   recorder.write_state(body, state, no_blade(body.model()), event, true);
@@ -354,9 +363,20 @@ Simulation<dim>::finish_cut()
 
 
 template <int dim>
+State<dim>
+Simulation<dim>::solve(const BladeLoad<dim> &blade, const double load_factor)
+{
+  const TimerOutput::Scope section(timer, "solve");
+  return solve_state(body, blade, load_factor, state.displacement);
+}
+
+
+
+template <int dim>
 void
 Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
 {
+  const TimerOutput::Scope section(timer, "check state");
   event.frame        = n_frames++;
   const auto overlap = evaluate_state(body, blade, new_state, event);
   if (scene.accuracy.estimate)

@@ -4,6 +4,7 @@
 #include <setsudan/body/gmsh/gmsh_file.h>
 #include <setsudan/mesh/geometry.h>
 
+#include <iostream>
 #include <map>
 #include <set>
 #include <string>

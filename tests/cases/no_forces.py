@@ -6,12 +6,11 @@ usage: no_forces.py PROGRAM [MPIEXEC]
 """
 
 import signal
-import subprocess
-import time
 
 from cases import block, box, main, right
 from checks import event, pieces
 from program_cases import scene_text
+from stepped import SteppedRun
 from stories import ends_well, same_columns
 
 CUBE = {
@@ -58,13 +57,14 @@ def resumed(place):
     """A bar that is pulled and cut across is resumed."""
     options = ["scene.prm", "--set", "Output/Checkpoint=every row", "--output"]
     yield from ends_well(place.start(*options, "whole"))
-    run = subprocess.Popen([place.program, *options, "again"], cwd=place.directory,
-                           stdout=subprocess.PIPE, universal_newlines=True)
-    for line in run.stdout:
+    run = SteppedRun([], [place.program, *options, "again"], place.directory / "lines",
+                     cwd=place.directory)
+    for line in iter(run.read, ""):
         if "row 4/" in line:
-            run.send_signal(signal.SIGKILL)
             break
-    run.communicate()
+    status, message, _ = run.kill()
+    if status != -signal.SIGKILL:
+        yield f"it was not killed: {status} {message}"
     yield from ends_well(place.start(*options, "again", "--resume"))
     yield from same_columns(place.table("whole"), place.table("again"),
                             ("strain_energy", "max_displacement", "depth"), 1e-12)
@@ -74,7 +74,6 @@ def ended(place):
     """A run that has ended so has nothing to resume."""
     for _ in range(2):
         yield from ends_well(place.start("scene.prm", "--output", "out", "--resume"))
-        time.sleep(0.01)
 
 
 def on_two(place):

@@ -135,7 +135,7 @@ test(const std::vector<SceneEntry> &entries,
     }
   const bool same             = cells_of(cut, refinement) == cells;
   const unsigned int smallest = smallest_level(scene.body, cells, is_near);
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+  if (!is_first_process())
     return;
   std::cout << dim << "D";
   for (const auto &entry : entries)

@@ -98,7 +98,7 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    const bool speaks = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const bool speaks = is_first_process();
     if (speaks)
       {
         test_measures();

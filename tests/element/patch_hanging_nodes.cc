@@ -108,7 +108,7 @@ test(const bool is_distorted)
 
   const double error         = body.nodal_error(exact);
   const unsigned int n_cells = mesh.n_global_active_cells();
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+  if (!is_first_process())
     return;
   std::cout << dim << "D, " << (is_distorted ? "distorted" : "parallelepipeds")
             << ": " << mesh.n_global_levels() << " levels, " << n_cells

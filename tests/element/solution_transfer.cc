@@ -70,7 +70,7 @@ template <int dim>
 void
 test()
 {
-  const bool is_first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const bool is_first = is_first_process();
   parallel::distributed::Triangulation<dim> mesh(MPI_COMM_WORLD);
   GridGenerator::subdivided_hyper_cube(mesh, 2);
   mesh.refine_global(1);

@@ -5,7 +5,7 @@ import pathlib
 import sys
 import tempfile
 
-from layering import ROOMS, find_problems
+from layering import DOCUMENT, ROOMS, find_problems, write_table
 
 HOUSE = {f"include/setsudan/{room}/x.h": "#pragma once\n" for room in ROOMS}
 HOUSE.update(
@@ -16,6 +16,28 @@ HOUSE["include/setsudan/cut/seam/x.h"] = "#include <setsudan/body/x.h>\n"
 HOUSE["include/setsudan/cut/seam/row.h"] = "#include <setsudan/cut/seam/x.h>\n"
 HOUSE["source/body/gmsh/x.cc"] = "#include <setsudan/body/x.h>\n"
 HOUSE["source/body/x.cc"] = "#include <setsudan/body/gmsh/x.h>\n"
+
+
+def write_house(root, files):
+    for file, text in files.items():
+        path = root / file
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def document():
+    """What DOCUMENT says of the house."""
+    lines = "".join(f"| `{room}` | it | |\n" for room in ROOMS)
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+        text = f"# The house\n\n<!-- rooms -->\n\n{lines}\n<!-- end -->\n"
+        write_house(root, {**HOUSE, DOCUMENT: text})
+        write_table(root)
+        return (root / DOCUMENT).read_text()
+
+
+HOUSE[DOCUMENT] = document()
+FIRST, SECOND = (f"| `{room}` | it | - |\n" for room in ROOMS[:2])
 
 # A file, its new text, and what the message about it must contain.
 SPOILT = [
@@ -34,15 +56,17 @@ SPOILT = [
     ("source/helpers.cc", "", "is in no room"),
     ("include/setsudan/cut/pan.h", "", "is in no room"),
     ("include/setsudan/cut/seam/deeper/pan.h", "", "is in no room"),
+    (DOCUMENT, "# The house\n", "not those of ROOMS"),
+    (DOCUMENT, HOUSE[DOCUMENT].replace(FIRST, ""), "what room parameters holds"),
+    (DOCUMENT, HOUSE[DOCUMENT].replace(FIRST + SECOND, SECOND + FIRST), "not those of"),
+    (DOCUMENT, HOUSE[DOCUMENT].replace("| `body/gmsh` |\n", "| - |\n"), "not those of"),
+    (DOCUMENT, HOUSE[DOCUMENT].replace("`mesh` | it", "`mesh` | "), "what room mesh holds"),
 ]
 
 
 def problems_of(files):
     with tempfile.TemporaryDirectory() as name:
-        for file, text in files.items():
-            path = pathlib.Path(name) / file
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+        write_house(pathlib.Path(name), files)
         return find_problems(pathlib.Path(name))
 
 

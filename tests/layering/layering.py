@@ -2,7 +2,10 @@
 its own room and of rooms before it; a folder within a room may include the
 room's own files as well. No file includes itself, by whatever way.
 
-usage: layering.py DIRECTORY   (with include/setsudan and source in it)
+doc/development.md lists the rooms in this order, with the rooms that each
+includes; --write brings the list up to date, but for what a new room holds.
+
+usage: layering.py DIRECTORY [--write]   (with include/setsudan, source and doc)
 """
 
 import pathlib
@@ -42,6 +45,10 @@ ROOMS = [
 ROOMS_OF_MAIN = ["parameters", "kernel", "simulation", "simulation/record"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+DOCUMENT = "doc/development.md"
+TABLE = re.compile(r"(?<=<!-- rooms -->\n\n).*?(?=\n<!-- end -->)", re.DOTALL)
+LINE = re.compile(r"^\| `([^`]+)` \| ([^|]*) \|", re.MULTILINE)
 
 
 def source_files(root):
@@ -115,13 +122,48 @@ def find_cycle(graph):
     return None
 
 
-def find_problems(root):
-    """Everything that is wrong with the files below a directory."""
-    problems = []
-    graph = {
+def table_of_rooms(table, graph):
+    """The table of DOCUMENT as it must be; what a room holds is taken from it."""
+    holds = dict(LINE.findall(table))
+    lines = ["| room | holds | includes |", "|---|---|---|"]
+    for room in ROOMS:
+        included = {room_of(header) for name in graph if room_of(name) == room
+                    for header in graph[name]}
+        names = [f"`{other}`" for other in ROOMS if other in included - {room}]
+        text = holds.get(room, "")
+        lines.append(f"| `{room}` | {text} | {', '.join(names) or '-'} |")
+    return "\n".join(lines) + "\n"
+
+
+def check_table(root, graph, problems):
+    table = TABLE.search((root / DOCUMENT).read_text())
+    if not table or table[0] != table_of_rooms(table[0], graph):
+        problems.append(f"{DOCUMENT}: the rooms are not those of ROOMS and of the "
+                        "files' includes; layering.py --write makes them so")
+    holds = dict(LINE.findall(table[0])) if table else {}
+    problems += [f"{DOCUMENT}: it does not say what room {room} holds"
+                 for room in ROOMS if not holds.get(room, "").strip()]
+
+
+def write_table(root):
+    path = root / DOCUMENT
+    graph = read_includes(root, [])
+    path.write_text(
+        TABLE.sub(lambda table: table_of_rooms(table[0], graph), path.read_text()))
+
+
+def read_includes(root, problems):
+    """The names of our own headers that each file includes."""
+    return {
         name: included_headers(name, text, problems)
         for name, text in source_files(root)
     }
+
+
+def find_problems(root):
+    """Everything that is wrong with the files below a directory."""
+    problems = []
+    graph = read_includes(root, problems)
     for name, headers in graph.items():
         check_file(name, headers, graph, problems)
     cycle = find_cycle(graph)
@@ -130,10 +172,13 @@ def find_problems(root):
     for room in ROOMS:
         if not any(room_of(name) == room for name in graph):
             problems.append(f"room {room} is empty")
+    check_table(root, graph, problems)
     return problems
 
 
 if __name__ == "__main__":
+    if sys.argv[2:] == ["--write"]:
+        write_table(pathlib.Path(sys.argv[1]))
     PROBLEMS = find_problems(pathlib.Path(sys.argv[1]))
     for problem in PROBLEMS:
         print(problem)

@@ -74,7 +74,7 @@ test_products()
                                            model.stiffness,
                                            model.discretization.with_ghosts(u));
     forces -= old;
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (is_first_process())
       std::cout << name << std::endl;
     check_below_on_all(
       "  difference", forces.linfty_norm() / old.linfty_norm(), 1e-14);

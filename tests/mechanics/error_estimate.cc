@@ -18,13 +18,6 @@ using namespace dealii;
 
 const double inner = 1, outer = 2, pressure = 0.3;
 
-bool
-is_first_process()
-{
-  return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-}
-
-
 /** A quarter of the tube: a box whose x is r - 1 and whose y is the angle. */
 template <int dim>
 CoarseMesh<dim>

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "../body/small_body.h"
 #include "assembled_kind.h"

@@ -3,6 +3,7 @@
 #include <setsudan/mechanics/elastic_model.h>
 
 #include <cmath>
+#include <string>
 
 #include "../test_setup.h"
 #include "small_model.h"

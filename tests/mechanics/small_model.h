@@ -7,6 +7,7 @@
 #include <setsudan/parameters/lists.h>
 
 #include <cmath>
+#include <vector>
 
 #include "../body/small_body.h"
 

@@ -28,7 +28,7 @@ test(const std::string &path)
       message    = error.what();
     }
   n_refusing = Utilities::MPI::sum(n_refusing, MPI_COMM_WORLD);
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+  if (!is_first_process())
     return;
   const bool all =
     n_refusing == Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
@@ -42,7 +42,7 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (is_first_process())
       std::ofstream("a_file") << "in the way";
     MPI_Barrier(MPI_COMM_WORLD);
     test("a_file");

@@ -1,5 +1,6 @@
 """The BLAS that the program computes with is fast: its matrix product runs at no
-less than 60 % of what OpenBLAS's best kernels for this processor give.
+less than 60 % of what OpenBLAS's best kernels for this processor give. What counts
+is the processor's time, and the best of several rounds.
 
 usage: blas_speed.py PROGRAM
 """
@@ -13,7 +14,8 @@ import time
 
 REQUIRED = 0.6
 SIZE = 1000
-REPETITIONS = 7
+REPETITIONS = 3
+ROUNDS = 3
 NO_TRANSPOSITION, COLUMN_MAJOR = 111, 102
 CORES = {"avx512f": "SkylakeX", "avx2": "Haswell", "sse3": "Prescott"}
 
@@ -29,10 +31,10 @@ def measure():
                                     ctypes.c_int])
     best = float("inf")
     for _ in range(REPETITIONS):
-        begin = time.perf_counter()
+        begin = time.process_time()
         blas.cblas_dgemm(COLUMN_MAJOR, NO_TRANSPOSITION, NO_TRANSPOSITION, SIZE, SIZE,
                          SIZE, 1.0, a, SIZE, b, SIZE, 0.0, c, SIZE)
-        best = min(best, time.perf_counter() - begin)
+        best = min(best, time.process_time() - begin)
     return 2e-9 * SIZE**3 / best
 
 
@@ -68,7 +70,9 @@ def main(program):
         flags = set(re.search(r"^flags\s*:(.*)", information.read(), re.M)[1].split())
     chosen = core_of(program)
     cores = [None] + [core for flag, core in CORES.items() if flag in flags]
-    speeds = {core: measure_with(core) for core in {chosen, *cores}}
+    speeds = dict.fromkeys({chosen, *cores}, 0)
+    for _ in range(ROUNDS):
+        speeds = {core: max(speed, measure_with(core)) for core, speed in speeds.items()}
     best = max(speeds.values())
     for core, speed in speeds.items():
         print(f"{core or 'own choice':12} {speed / best:.2f} of the best"

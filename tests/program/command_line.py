@@ -9,10 +9,12 @@ import subprocess
 import sys
 import tempfile
 
-from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
+from program_cases import HANGS, PLANE_SCENE, SCENE, Case, run_cases, scene_text
 
 BODIES = pathlib.Path(__file__).resolve().parents[2] / "prm" / "bodies"
 SCENES = {"scene.prm": scene_text(SCENE)[0], "plane.prm": scene_text(PLANE_SCENE)[0]}
+SECTIONS = ("read scene", "set up body", "find cut", "surgery", "solve", "check state",
+            "release ties", "frames and tables")
 WINDOWS_SCENE = {"scene.prm": SCENES["scene.prm"].replace("\n", "\r\n")}
 
 
@@ -53,7 +55,7 @@ def run(program, arguments, directory):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         universal_newlines=True,
-        timeout=60,
+        timeout=HANGS,
     )
 
 
@@ -89,6 +91,21 @@ def check_run(program):
     return failures
 
 
+def check_times(program):
+    """With --verbose, and only with it, a run ends with a table of its times."""
+    failures = 0
+    for options, wanted in ([], False), (["--verbose"], True):
+        with tempfile.TemporaryDirectory() as name:
+            directory = pathlib.Path(name)
+            (directory / "scene.prm").write_text(SCENES["scene.prm"])
+            said = run(program, ["scene.prm", *options], directory).stdout
+        said = said[said.find("Results in "):]
+        if any((f"| {section} " in said) != wanted for section in SECTIONS):
+            failures += 1
+            print(f"FAILED: times with {options}: {said}")
+    return failures
+
+
 def check_parameters_of_run(program):
     """parameters.prm in the output is a scene there, also with a body's file."""
     body = BODIES / "two_materials.prm"
@@ -119,5 +136,6 @@ if __name__ == "__main__":
     SUPPORT = ["--set", "Support/Fixed faces=bottom"]
     FAILURES += check_printed_parameters(PROGRAM, [], SUPPORT)
     FAILURES += check_run(PROGRAM)
+    FAILURES += check_times(PROGRAM)
     FAILURES += check_parameters_of_run(PROGRAM)
     sys.exit(1 if FAILURES else 0)

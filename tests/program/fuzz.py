@@ -163,7 +163,7 @@ def run_try(program, scenes, number, keep):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
-    parser.add_argument("--tries", type=int, default=500)
+    parser.add_argument("--tries", type=int, default=150)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--only", type=int)
     parser.add_argument("--keep")

@@ -8,6 +8,7 @@ import os
 import pathlib
 import re
 import resource
+import signal
 import subprocess
 import tempfile
 from typing import Callable, Dict, NamedTuple, Pattern, Sequence, Union
@@ -35,6 +36,10 @@ PLANE_SCENE = {
 }
 
 
+# The longest that a run may take where it waits for ever [s].
+HANGS = 600
+
+
 class Case(NamedTuple):
     """What is started, and what it must answer."""
 
@@ -52,8 +57,9 @@ class Case(NamedTuple):
     # What is asked of a run's files, each with the directory and what the program
     # said; the answers are problems. Without them nothing may be written.
     checks: Sequence[Callable] = ()
-    # How long it may take.
-    seconds: float = 60
+    # The processor's time that each process may take, which does not depend on what
+    # else the machine does.
+    seconds: int = 60
 
 
 def scene_text(values):
@@ -119,6 +125,11 @@ def message_problems(case, result):
 def start(program, case, directory):
     """How a run of the program has ended."""
     command = [*case.launcher, program, *case.arguments]
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (case.memory, case.memory))
+        resource.setrlimit(resource.RLIMIT_CPU, (case.seconds, case.seconds + 1))
+
     try:
         return subprocess.run(
             command,
@@ -127,13 +138,12 @@ def start(program, case, directory):
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             universal_newlines=True,
-            timeout=case.seconds,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS,
-                                                  (case.memory, case.memory)),
+            timeout=HANGS,
+            preexec_fn=limit,
         )
     except subprocess.TimeoutExpired:
         return subprocess.CompletedProcess(
-            command, None, "", f"setsudan: no end within {case.seconds} s.")
+            command, None, "", f"setsudan: no end within {HANGS} s.")
 
 
 def run(program, case):
@@ -148,7 +158,9 @@ def run(program, case):
         result = start(program, case, directory)
         written = [f for f in files_below(directory) if f not in before]
         problems = []
-        if result.returncode != case.status:
+        if result.returncode == -signal.SIGXCPU:
+            problems.append(f"no end within {case.seconds} s of the processor")
+        elif result.returncode != case.status:
             problems.append(f"status {result.returncode} instead of {case.status}")
         else:
             for check in case.checks:

@@ -17,8 +17,9 @@ import sys
 import tempfile
 import time
 
-from program_cases import scene_text
+from program_cases import HANGS, scene_text
 from run_files import broken_files, differences, results
+from stepped import SteppedRun
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "scenes"))
 from tables import read
@@ -37,7 +38,7 @@ SCENE = {
     "Output/Checkpoint": "every row",
 }
 
-
+ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
 SCENES = pathlib.Path(__file__).resolve().parents[1] / "scenes"
 # What carries most from one state to the next: multigrid, a ramp of the load, seams
 # made before the yield, refinement for a target, curved elements of two materials.
@@ -53,15 +54,18 @@ class Runs:
     """Starts of one scene, and the directory of a run that nothing stopped."""
 
     def __init__(self, program, directory, launcher=(), scene=None):
-        self.program = program
+        self.program, self.launcher = program, launcher
         self.directory = pathlib.Path(directory)
         (self.directory / "scene.prm").write_text(scene_text(SCENE)[0])
-        self.command = [*launcher, program, *(scene or ["scene.prm"])]
+        self.scene = scene or ["scene.prm"]
         self.numbers = itertools.count()
         begin = time.monotonic()
         self.expected = self.new_directory()
-        self.finish(self.start(self.expected))
-        self.seconds = time.monotonic() - begin
+        status, message, self.lines = self.step(self.expected).finish()
+        if status != 0:
+            raise Failure(message)
+        # How long a line takes; nothing that is checked depends on it.
+        self.seconds = (time.monotonic() - begin) / len(self.lines)
 
     def new_directory(self):
         return self.directory / f"run_{next(self.numbers):04}"
@@ -71,19 +75,27 @@ class Runs:
             resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 
         return subprocess.Popen(
-            [*self.command, "--output", str(output), *options],
+            [*self.launcher, *self.command(output, *options)],
             cwd=self.directory,
-            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+            env=ENVIRONMENT,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             universal_newlines=True,
-            start_new_session=True,
             preexec_fn=limit_size if limit else None,
         )
 
+    def command(self, output, *options):
+        return [self.program, *self.scene, "--output", str(output), *options]
+
+    def step(self, output, *options):
+        """A run that goes on as its lines are read."""
+        return SteppedRun(self.launcher, self.command(output, *options),
+                          self.directory / f"lines_{next(self.numbers):04}",
+                          cwd=self.directory, env=ENVIRONMENT)
+
     def finish(self, process, status=0):
         """Wait for a run; the answer is its message."""
-        _, message = process.communicate(timeout=120)
+        _, message = process.communicate(timeout=HANGS)
         if process.returncode != status:
             raise Failure(f"status {process.returncode}: {message.strip()}")
         return message.strip()
@@ -115,101 +127,96 @@ def check_sentence(message, *pieces):
         raise Failure(f"the message is '{message}'")
 
 
-def stop_after(process, seconds, signal_number):
-    """Send a signal to all of a run's processes, if it lasts that long."""
-    try:
-        process.wait(timeout=seconds)
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal_number)
-    return process
+def kill_behind(run, n_lines, seconds=0):
+    """SIGKILL, some time after a line and before the second next."""
+    run.advance(n_lines)
+    time.sleep(seconds)
+    status, message, _ = run.kill()
+    if status == 0:
+        raise Failure(f"the run ended behind {n_lines} lines {message}")
 
 
-def kill_and_resume(runs, number):
-    """One try; the answer is how often the run was killed."""
+def kill_and_resume(runs, number, share):
+    """A run is killed when a share of its lines has been read, and perhaps again
+    where it goes on."""
     generator = random.Random(number)
     output = runs.new_directory()
-    options = []
-    n_killed = 0
-    for factor in (1.0, 0.7)[: generator.choice((1, 2))]:
-        seconds = generator.uniform(0, factor * runs.seconds)
-        process = stop_after(runs.start(output, *options), seconds, signal.SIGKILL)
-        process.communicate()
+    # The run cannot end before its last line but one has been read.
+    n_lines = int(share * (len(runs.lines) - 1))
+    kill_behind(runs.step(output), n_lines, generator.uniform(0, 2 * runs.seconds))
+    runs.check_files(output)
+    if number % 2 == 1:
+        # Lines 0 and 1 of a run that goes on tell of the body and the solver.
+        rest = 1 if n_lines + 3 < len(runs.lines) else 0
+        kill_behind(runs.step(output, "--resume"), rest,
+                    generator.uniform(0, 2 * runs.seconds))
         runs.check_files(output)
-        n_killed += process.returncode != 0
-        options = ["--resume"]
     runs.resume_and_compare(output)
-    return n_killed
 
 
 def kill(runs, n_tries):
-    """SIGKILL at any time, and again while the run is resumed."""
+    """SIGKILL all along the run, and again while it is resumed."""
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        n_killed = sum(
-            pool.map(lambda number: kill_and_resume(runs, number), range(n_tries))
-        )
-    if n_killed < n_tries / 3:
-        raise Failure(f"only {n_killed} runs lived long enough to be killed")
-    return f"{n_killed} runs killed"
+        list(pool.map(lambda number: kill_and_resume(runs, number, number / n_tries),
+                      range(n_tries)))
+    return f"{n_tries} runs killed"
 
 
-def all_kinds(runs, n_tries):
+def all_kinds(runs, n_times):
     """The scenes of other tests, each killed some times on its way."""
     for name in KINDS:
-        options = ["--set", "Output/Checkpoint=every row"]
         scene = Runs(
             runs.program,
             tempfile.mkdtemp(dir=runs.directory),
-            scene=[str(SCENES / name), *options],
+            scene=[str(SCENES / name), "--set", "Output/Checkpoint=every row"],
         )
         output = scene.new_directory()
         resumption = []
-        for _ in range(n_tries):
-            process = scene.start(output, *resumption)
-            stop_after(process, 0.6 * scene.seconds, signal.SIGKILL).communicate()
+        for _ in range(n_times):
+            kill_behind(scene.step(output, *resumption),
+                        len(scene.lines) // (n_times + 1))
             resumption = ["--resume"]
         scene.resume_and_compare(output)
     return f"{len(KINDS)} scenes"
 
 
+def check_last_event(output, message):
+    """A run that was interrupted has all events in its table."""
+    named = re.search(r"interrupted behind row (\d+) of cut (\d+)", message)
+    last = read(output / "statistics.csv")[-1]
+    if (int(last["row"]) + 1, int(last["cut"])) != tuple(map(int, named.groups())):
+        raise Failure(f"the table ends at row {int(last['row']) + 1}: {message}")
+
+
+def interrupt_behind(runs, n_lines, kind, *options):
+    """Ctrl-C, or what a batch system sends: the run stops with a sentence."""
+    output = runs.new_directory()
+    run = runs.step(output, *options)
+    run.advance(n_lines)
+    run.send(kind)
+    status, message, _ = run.finish()
+    if status != 1:
+        raise Failure(f"status {status} behind {n_lines} lines {message}")
+    runs.check_files(output)
+    check_last_event(output, message)
+    return output, message
+
+
 def interrupt(runs, n_tries):
-    """Ctrl-C, and what a batch system sends: the run stops with a sentence."""
-    n_interrupted = 0
+    """Signals behind lines of the whole run, up to those after which no row comes."""
+    last_row = max(i for i, line in enumerate(runs.lines) if re.match(r"  row \d", line))
     for i in range(n_tries):
-        output = runs.new_directory()
-        # From the time on when the program has begun.
-        process = runs.start(output)
-        while not (output / "parameters.prm").exists() and process.poll() is None:
-            time.sleep(0.002)
+        # The first line is said when the program listens to signals.
+        n_lines = 1 + i * (last_row - 2) // (n_tries - 1)
         kind = (signal.SIGINT, signal.SIGTERM)[i % 2]
-        stop_after(process, i / n_tries * 0.5 * runs.seconds, kind)
-        _, message = process.communicate(timeout=120)
-        runs.check_files(output)
-        if process.returncode != 0:
-            n_interrupted += 1
-            check_sentence(message.strip(), "interrupted behind row", "--resume")
-            if process.returncode != 1:
-                raise Failure(f"status {process.returncode}")
+        output, message = interrupt_behind(runs, n_lines, kind)
+        check_sentence(message, "interrupted behind row", "--resume")
         runs.resume_and_compare(output)
-    if n_interrupted == 0:
-        raise Failure("no run was interrupted")
-    return f"{n_interrupted} runs interrupted"
-
-
-def check_last_event(runs, options, seconds):
-    """A run that fails has all events in its table, though it saves nothing else."""
-    for fraction in (0.6, 0.7, 0.8, 0.9):
-        output = runs.new_directory()
-        process = stop_after(
-            runs.start(output, *options, "--set", "Output/Checkpoint=none"),
-            fraction * seconds, signal.SIGINT)
-        _, message = process.communicate(timeout=120)
-        named = re.search(r"interrupted behind row (\d+) ", message)
-        if named:
-            last = read(output / "statistics.csv")[-1]
-            if int(last["row"]) + 1 != int(named.group(1)):
-                raise Failure(f"the table ends at row {int(last['row']) + 1}: {message}")
-            return
-    raise Failure("no run was stopped")
+        # Without checkpoints, for which the table would be written anyway.
+        _, message = interrupt_behind(runs, n_lines, kind,
+                                      "--set", "Output/Checkpoint=none")
+        check_sentence(message, "leaves nothing to resume from")
+    return f"{2 * n_tries} runs interrupted"
 
 
 def full_disk(runs, n_tries):
@@ -261,10 +268,10 @@ def refusals(runs, _):
 
 
 GROUPS = {
-    "kill": (kill, 50),
+    "kill": (kill, 24),
     "kill_processes": (kill, 6),
     "all_kinds": (all_kinds, 3),
-    "interrupt": (interrupt, 8),
+    "interrupt": (interrupt, 6),
     "full_disk": (full_disk, 8),
     "refusals": (refusals, 1),
 }

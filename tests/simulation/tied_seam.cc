@@ -15,12 +15,6 @@
 using namespace Setsudan;
 using namespace dealii;
 
-bool
-is_first_process()
-{
-  return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-}
-
 template <int dim>
 LA::Vector
 solve(CutBody<dim> &body)

@@ -46,7 +46,7 @@ test(const bool is_tied)
       }
   u.compress(dealii::VectorOperation::insert);
   const auto overlap = find_wall_overlap(body.walls(), u, MPI_COMM_WORLD);
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (is_first_process())
     std::cout << dim << "D" << (is_tied ? ", tied" : "") << ": "
               << overlap.depth << " at x = " << overlap.position[0]
               << ", y = " << overlap.position[1] << ", cut " << overlap.cut

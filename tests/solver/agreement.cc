@@ -14,13 +14,6 @@
 using namespace Setsudan;
 using namespace dealii;
 
-bool
-is_first_process()
-{
-  return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-}
-
-
 template <int dim>
 std::string
 description(const SolvedModel<dim> &solved)

@@ -93,7 +93,7 @@ compare(const std::string &name,
   difference -= solved.displacement;
   const double error =
     difference.linfty_norm() / solved.displacement.linfty_norm();
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (is_first_process())
     std::cout << dim << "D, " << name << ": "
               << model.discretization.dof_handler.n_dofs() << " unknowns"
               << std::endl;

@@ -98,7 +98,7 @@ test(const std::string &name,
       error = std::max(error, std::abs(carried(index) - value));
     });
   error = Utilities::MPI::max(error, MPI_COMM_WORLD);
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (is_first_process())
     {
       std::cout << dim << "D, " << name << ": from "
                 << from.dof_handler.n_dofs() << " to "
@@ -206,7 +206,7 @@ test_hanging_nodes(const std::string &n_elements, const Refinement &refinement)
     Utilities::MPI::max(before.model.hanging.n_constraints(), MPI_COMM_WORLD);
   const unsigned int n_cells[] = {from.triangulation.n_global_active_cells(),
                                   to.triangulation.n_global_active_cells()};
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (is_first_process())
     {
       std::cout << dim << "D, with hanging nodes: from "
                 << from.dof_handler.n_dofs() << " to "

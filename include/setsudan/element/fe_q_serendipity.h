@@ -15,8 +15,6 @@
 
 namespace Setsudan
 {
-using namespace dealii;
-
 /**
  * The quadratic serendipity element: continuous, with one degree of freedom on
  * each vertex and each line, 8 in 2D and 20 in 3D. It is the element of
@@ -33,7 +31,7 @@ using namespace dealii;
  * refined neighbours belong to another process.
  */
 template <int dim>
-class FE_Q_Serendipity : public FE_Poly<dim>
+class FE_Q_Serendipity : public dealii::FE_Poly<dim>
 {
 public:
   /** Set up the element; there is nothing to choose. */
@@ -44,11 +42,11 @@ public:
   get_name() const override;
 
   /** A copy of this object. */
-  std::unique_ptr<FiniteElement<dim>>
+  std::unique_ptr<dealii::FiniteElement<dim>>
   clone() const override;
 
   /** One constant mode, in which all degrees of freedom are equal. */
-  std::pair<Table<2, bool>, std::vector<unsigned int>>
+  std::pair<dealii::Table<2, bool>, std::vector<unsigned int>>
   get_constant_modes() const override;
 
   /** Whether function @p shape_index is non-zero somewhere on the face: true
@@ -60,7 +58,7 @@ public:
   /** The degrees of freedom are the values at the support points. */
   void
   convert_generalized_support_point_values_to_dof_values(
-    const std::vector<Vector<double>> &support_point_values,
+    const std::vector<dealii::Vector<double>> &support_point_values,
     std::vector<double> &nodal_values) const override;
 
   /** True, see the description of the class. */
@@ -72,9 +70,10 @@ public:
    * must be a serendipity element too, so that this is the identity.
    */
   void
-  get_face_interpolation_matrix(const FiniteElement<dim> &source,
-                                FullMatrix<double> &interpolation_matrix,
-                                const unsigned int face_no = 0) const override;
+  get_face_interpolation_matrix(
+    const dealii::FiniteElement<dim> &source,
+    dealii::FullMatrix<double> &interpolation_matrix,
+    const unsigned int face_no = 0) const override;
 
   /**
    * The face functions of this element, on the coarse side, at the face nodes
@@ -83,28 +82,30 @@ public:
    */
   void
   get_subface_interpolation_matrix(
-    const FiniteElement<dim> &source,
+    const dealii::FiniteElement<dim> &source,
     const unsigned int subface,
-    FullMatrix<double> &interpolation_matrix,
+    dealii::FullMatrix<double> &interpolation_matrix,
     const unsigned int face_no = 0) const override;
 
   /** The one unknown of a vertex is shared with a serendipity element. */
   std::vector<std::pair<unsigned int, unsigned int>>
-  hp_vertex_dof_identities(const FiniteElement<dim> &fe_other) const override;
+  hp_vertex_dof_identities(
+    const dealii::FiniteElement<dim> &fe_other) const override;
 
   /** The one unknown of a line is shared with a serendipity element. */
   std::vector<std::pair<unsigned int, unsigned int>>
-  hp_line_dof_identities(const FiniteElement<dim> &fe_other) const override;
+  hp_line_dof_identities(
+    const dealii::FiniteElement<dim> &fe_other) const override;
 
   /** None: there are no unknowns inside of quadrilaterals. */
   std::vector<std::pair<unsigned int, unsigned int>>
-  hp_quad_dof_identities(const FiniteElement<dim> &fe_other,
+  hp_quad_dof_identities(const dealii::FiniteElement<dim> &fe_other,
                          const unsigned int face_no = 0) const override;
 
   /** Serendipity elements have the same trace on a common face; any other
    * neighbour is not implemented. */
-  FiniteElementDomination::Domination
-  compare_for_domination(const FiniteElement<dim> &fe_other,
+  dealii::FiniteElementDomination::Domination
+  compare_for_domination(const dealii::FiniteElement<dim> &fe_other,
                          const unsigned int codim = 0) const override;
 
 private:

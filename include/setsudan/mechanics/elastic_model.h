@@ -6,6 +6,8 @@
 #include <setsudan/mechanics/loads.h>
 #include <setsudan/mechanics/stiffness.h>
 
+#include <memory>
+
 namespace Setsudan
 {
 template <int dim>

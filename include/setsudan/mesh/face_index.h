@@ -2,6 +2,7 @@
 
 #include <setsudan/mesh/coarse_mesh.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 

@@ -5,6 +5,7 @@
 #include <setsudan/parameters/scene_file.h>
 
 #include <functional>
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <utility>

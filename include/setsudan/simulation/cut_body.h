@@ -8,6 +8,7 @@
 #include <setsudan/simulation/scene.h>
 #include <setsudan/solver/solver_selection.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>

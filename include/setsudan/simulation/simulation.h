@@ -1,10 +1,13 @@
 #pragma once
 
+#include <deal.II/base/timer.h>
+
 #include <setsudan/simulation/drive.h>
 #include <setsudan/simulation/record/checkpoint_schedule.h>
 #include <setsudan/simulation/record/recorder.h>
 
 #include <optional>
+#include <vector>
 
 namespace Setsudan
 {
@@ -16,6 +19,8 @@ class Simulation
 public:
   /**
    * @param scene and `parameters`, which it was read from, must live as long.
+   * @param timer notes in its sections where the time goes; it must live as
+   *   long.
    * @param checkpoint where an earlier run of this scene stood, if it is to be
    *   resumed.
    *
@@ -24,6 +29,7 @@ public:
   Simulation(const Scene<dim> &scene,
              const Parameters &parameters,
              const MPI_Comm communicator,
+             dealii::TimerOutput &timer,
              const std::optional<Checkpoint> &checkpoint = {});
 
   /** @throw SolverError, InvariantError, CutError or OutputError where the run
@@ -89,11 +95,16 @@ private:
   void
   say_what_is_loose(const std::vector<FloatingPiece> &known);
 
+  /** The state under this part of the loads, from the present one on. */
+  State<dim>
+  solve(const BladeLoad<dim> &blade, const double load_factor);
+
   /** Take a solved state, and check what must hold from the last to it. */
   void
   accept(State<dim> &&new_state, const BladeLoad<dim> &blade);
 
   const Scene<dim> &scene;
+  dealii::TimerOutput &timer;
   const std::optional<Checkpoint> checkpoint;
   Recorder<dim> recorder;
   CheckpointSchedule checkpoints;

@@ -8,6 +8,9 @@
 
 #include <memory>
 
+#include <memory>
+#include <string>
+
 namespace Setsudan
 {
 /** An equilibrium to be found: F(u) = f under constraints, where F are the

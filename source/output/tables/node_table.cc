@@ -7,6 +7,8 @@
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <sstream>
+#include <string>
 #include <tuple>
 
 namespace Setsudan
@@ -119,6 +121,39 @@ collect_own_records(const Body<dim> &body,
       }
   return records;
 }
+
+
+std::string
+table_of(const NodeRecords &records)
+{
+  std::ostringstream out;
+  out << "number,side,x,y,z,ux,uy,uz,max_shear,sxx,syy,szz,sxy,syz,sxz\n"
+      << std::setprecision(12);
+  unsigned int last = 0;
+  PointName last_name;
+  for (const auto &[key, record] : records)
+    {
+      const auto &[number, name, side] = key;
+      // The copies of a new node follow each other.
+      if (number != numbers::invalid_unsigned_int)
+        last = number;
+      else if (name != last_name)
+        ++last;
+      last_name = name;
+      out << last << ',' << side;
+      for (const double x : record.position)
+        out << ',' << x;
+      for (const double u : record.displacement)
+        out << ',' << u;
+      out << ',' << record.max_shear;
+      const auto stress = record.stress_sum / double(record.n_elements);
+      for (const auto &[i, j] : std::vector<std::pair<int, int>>{
+             {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}})
+        out << ',' << stress[i][j];
+      out << '\n';
+    }
+  return out.str();
+}
 } // namespace
 
 
@@ -140,33 +175,8 @@ write_node_table(const Body<dim> &body,
   if (Utilities::MPI::this_mpi_process(communicator) > 0)
     return;
 
-  directory.write(name, [&](std::ostream &out) {
-    out << "number,side,x,y,z,ux,uy,uz,max_shear,sxx,syy,szz,sxy,syz,sxz\n"
-        << std::setprecision(12);
-    unsigned int last = 0;
-    PointName last_name;
-    for (const auto &[key, record] : records)
-      {
-        const auto &[number, name, side] = key;
-        // The copies of a new node follow each other.
-        if (number != numbers::invalid_unsigned_int)
-          last = number;
-        else if (name != last_name)
-          ++last;
-        last_name = name;
-        out << last << ',' << side;
-        for (const double x : record.position)
-          out << ',' << x;
-        for (const double u : record.displacement)
-          out << ',' << u;
-        out << ',' << record.max_shear;
-        const auto stress = record.stress_sum / double(record.n_elements);
-        for (const auto &[i, j] : std::vector<std::pair<int, int>>{
-               {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}})
-          out << ',' << stress[i][j];
-        out << '\n';
-      }
-  });
+  const std::string table = table_of(records);
+  directory.write(name, [&](std::ostream &out) { out << table; });
 }
 
 

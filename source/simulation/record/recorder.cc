@@ -49,11 +49,13 @@ template <int dim>
 Recorder<dim>::Recorder(const Scene<dim> &scene,
                         const Parameters &parameters,
                         const MPI_Comm communicator,
+                        TimerOutput &timer,
                         const OutputDirectory::Earlier earlier)
   : progress(communicator)
   , directory(
       open_directory(parameters, scene.output.directory, communicator, earlier))
   , scene(scene)
+  , timer(timer)
   , is_first_process(Utilities::MPI::this_mpi_process(communicator) == 0)
   , frames(directory)
   , statistics(scene.output.units, scene.length_unit, scene.force_unit)
@@ -94,6 +96,7 @@ template <int dim>
 void
 Recorder<dim>::finish()
 {
+  const TimerOutput::Scope section(timer, "frames and tables");
   frames.finish();
   if (is_first_process)
     statistics.finish(directory);
@@ -139,6 +142,7 @@ template <int dim>
 void
 Recorder<dim>::record(const std::string &name, Event &event)
 {
+  const TimerOutput::Scope section(timer, "frames and tables");
   event.name    = name;
   event.seconds = progress.seconds();
   if (is_first_process)
@@ -187,6 +191,7 @@ Recorder<dim>::write_state(const CutBody<dim> &body,
                            const Event &event,
                            const bool is_stage)
 {
+  const TimerOutput::Scope section(timer, "frames and tables");
   using Frames      = OutputParameters::Frames;
   const bool framed = scene.output.frames == Frames::every_row ||
                       (scene.output.frames == Frames::stages && is_stage);
@@ -247,6 +252,7 @@ template <int dim>
 void
 Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
 {
+  const TimerOutput::Scope section(timer, "frames and tables");
   const auto displacements = gather_displacements(
     body.model().discretization,
     body.mesh().cells.size(),

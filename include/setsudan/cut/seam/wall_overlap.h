@@ -2,6 +2,8 @@
 
 #include <setsudan/cut/seam/seam.h>
 
+#include <vector>
+
 namespace Setsudan
 {
 /** The node pairs of a cut, and how they are held together. */

@@ -27,9 +27,10 @@ struct CuttingStress
  *
  * - maximum and mean shear: (s1 - s3) / 2 of the principal stresses (Tresca);
  * - von Mises: sqrt(J2), with J2 half the square of the deviatoric stress;
- * - traction on the cut: (<t_n>^2 + |t_s|^2)^1/2 of the normal traction, if it
- *   pulls, and the shear traction (as for cohesive zones: Camacho and Ortiz
- *   1996, International Journal of Solids and Structures 33, 2899-2938).
+ * - traction on the cut: (max(t_n, 0)^2 + |t_s|^2)^1/2 of the normal and the
+ *   shear traction, of which the normal one counts if it pulls (as for cohesive
+ *   zones: Camacho and Ortiz 1996, International Journal of Solids and
+ *   Structures 33, 2899-2938).
  */
 double
 stress_measure(const YieldParameters::Criterion criterion,

@@ -2,6 +2,8 @@
 
 #include <setsudan/parameters/parameters.h>
 
+#include <string>
+
 namespace Setsudan
 {
 /** Subsection `Yield`: what must be reached for a row to be split. */

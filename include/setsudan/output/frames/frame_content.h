@@ -5,6 +5,8 @@
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/output/frames/vtu.h>
 
+#include <vector>
+
 namespace Setsudan
 {
 /** Data of a frame besides its fields. */

@@ -4,7 +4,9 @@
 
 #include <setsudan/mechanics/elastic_model.h>
 
+#include <array>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace Setsudan

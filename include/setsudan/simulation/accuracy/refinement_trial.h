@@ -3,6 +3,7 @@
 #include <setsudan/simulation/accuracy/state_error.h>
 #include <setsudan/simulation/cut_body.h>
 
+#include <optional>
 #include <vector>
 
 namespace Setsudan

@@ -4,6 +4,8 @@
 #include <setsudan/simulation/cut_body.h>
 #include <setsudan/simulation/state.h>
 
+#include <optional>
+
 namespace Setsudan
 {
 /** The estimated error of a solved state. */

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/base/timer.h>
+
 #include <setsudan/cut/seam/wall_overlap.h>
 #include <setsudan/output/frames/frames.h>
 #include <setsudan/output/output_directory.h>
@@ -53,11 +55,13 @@ template <int dim>
 class Recorder
 {
 public:
-  /** @param earlier whether the record of an earlier run is kept, to be gone
+  /** @param timer notes how long writing takes; it must live as long.
+   * @param earlier whether the record of an earlier run is kept, to be gone
    * on with. */
   Recorder(const Scene<dim> &scene,
            const Parameters &parameters,
            const MPI_Comm communicator,
+           dealii::TimerOutput &timer,
            const OutputDirectory::Earlier earlier);
 
   /** The table is whole however the run ends. */
@@ -139,6 +143,7 @@ private:
              const std::string &name) const;
 
   const Scene<dim> &scene;
+  dealii::TimerOutput &timer;
   const bool is_first_process;
   FrameWriter frames;
   Statistics statistics;

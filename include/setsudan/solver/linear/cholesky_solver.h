@@ -3,6 +3,10 @@
 #include <setsudan/solver/linear/cholesky_factor.h>
 #include <setsudan/solver/linear/linear_solver.h>
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace Setsudan
 {
 /** The supernodal Cholesky factorization of CHOLMOD, on one process. */

@@ -3,6 +3,9 @@
 #include <setsudan/solver/linear/algebraic_multigrid.h>
 #include <setsudan/solver/linear/linear_solver.h>
 
+#include <string>
+#include <vector>
+
 namespace Setsudan
 {
 /** Conjugate gradients, preconditioned by algebraic multigrid. */

@@ -5,6 +5,7 @@
 #include <setsudan/space/linear_algebra.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
