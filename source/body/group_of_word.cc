@@ -32,12 +32,12 @@ of_dimension(const std::vector<const Group *> &groups,
 
 template <int dim>
 const Group &
-group_of_word(const Parameters &parameters,
-              const std::string &subsection,
-              const std::string &name,
-              const Body<dim> &body,
-              const std::string &word,
-              const GroupKind kind)
+find_group_or_reject(const Parameters &parameters,
+                     const std::string &subsection,
+                     const std::string &name,
+                     const Body<dim> &body,
+                     const std::string &word,
+                     const GroupKind kind)
 {
   const auto require = [&](const bool condition, const std::string &allowed) {
     parameters.require(condition, subsection, name, allowed);
@@ -67,17 +67,17 @@ group_of_word(const Parameters &parameters,
 
 
 template const Group &
-group_of_word(const Parameters &,
-              const std::string &,
-              const std::string &,
-              const Body<2> &,
-              const std::string &,
-              const GroupKind);
+find_group_or_reject(const Parameters &,
+                     const std::string &,
+                     const std::string &,
+                     const Body<2> &,
+                     const std::string &,
+                     const GroupKind);
 template const Group &
-group_of_word(const Parameters &,
-              const std::string &,
-              const std::string &,
-              const Body<3> &,
-              const std::string &,
-              const GroupKind);
+find_group_or_reject(const Parameters &,
+                     const std::string &,
+                     const std::string &,
+                     const Body<3> &,
+                     const std::string &,
+                     const GroupKind);
 } // namespace Setsudan

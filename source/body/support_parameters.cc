@@ -90,7 +90,7 @@ region_of_word(const Parameters &parameters,
 {
   return Region<dim>(
     body,
-    {&group_of_word(
+    {&find_group_or_reject(
       parameters, "Support", name, body, word, GroupKind::faces_or_nodes)});
 }
 

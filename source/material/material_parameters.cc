@@ -115,7 +115,7 @@ read_values(const Parameters &parameters,
       if (values.size() != body.mesh.cells.size())
         values.assign(body.mesh.cells.size(), all_given ? values[0] : 0.);
       for (const unsigned int cell :
-           group_of_word(
+           find_group_or_reject(
              parameters, "Material", name, body, word, GroupKind::elements)
              .cells)
         {

@@ -32,8 +32,8 @@ check_balance(const ElasticModel<dim> &model,
       if (model.supported.is_element(index))
         {
           force[component] += held(index);
-          (model.prescribed(index) == 0 ? balance.reaction
-                                        : balance.clamp_force)[component] +=
+          (model.lift(index) == 0 ? balance.reaction
+                                  : balance.clamp_force)[component] +=
             held(index);
         }
       if (force[component] != 0)

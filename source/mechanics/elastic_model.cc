@@ -27,7 +27,7 @@ ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
   , hanging(discretization.relevant)
   , supports(discretization.relevant)
   , supported(discretization.dof_handler.n_dofs())
-  , prescribed(discretization.zero_vector())
+  , lift(discretization.zero_vector())
   , loads(assemble_loads(discretization, load_parameters, body))
 {
   if (!refinement.refined.empty())
@@ -64,12 +64,12 @@ ElasticModel<dim>::constrain_supports(const Supports<dim> &supports_of_body)
                 supports.add_line(index);
                 if (support.displacement[c] != 0 &&
                     discretization.owned.is_element(index))
-                  prescribed(index) = support.displacement[c];
+                  lift(index) = support.displacement[c];
               }
           }
       }
   supports.close();
-  prescribed.compress(VectorOperation::insert);
+  lift.compress(VectorOperation::insert);
   hanging.distribute(prescribed);
   for (const auto index : discretization.owned)
     if (supports.is_constrained(index))

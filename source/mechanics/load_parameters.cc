@@ -97,7 +97,8 @@ faces_of_word(const Parameters &parameters,
 {
   std::vector<CellFace> faces;
   for (const auto &entity :
-       group_of_word(parameters, "Load", name, body, word, GroupKind::faces)
+       find_group_or_reject(
+         parameters, "Load", name, body, word, GroupKind::faces)
          .entities)
     {
       const auto cells = index.find(entity);

@@ -41,7 +41,7 @@ Progress::finish_shown_line()
 
 
 void
-Progress::say(const std::string &line)
+Progress::info(const std::string &line)
 {
   if (!speaks)
     return;
@@ -54,7 +54,7 @@ Progress::say(const std::string &line)
 void
 Progress::warn(const std::string &line)
 {
-  say("Warning: " + line);
+  info("Warning: " + line);
 }
 
 

@@ -36,7 +36,7 @@ CutBody<dim>::CutBody(const Scene<dim> &scene, const MPI_Comm communicator)
   : CutBody(scene,
             refine_near_cuts(scene.body,
                              scene.cut,
-                             scene.shape.refinement,
+                             scene.body_parameters.refinement,
                              communicator),
             communicator)
 {
@@ -58,7 +58,7 @@ CutBody<dim>::rebuild()
                                         the_scene.loads,
                                         the_scene.material,
                                         mpi_communicator,
-                                        the_scene.shape.element_type);
+                                        the_scene.body_parameters.element_type);
   severed.remove_loads(*present_model);
 }
 

@@ -1,5 +1,5 @@
 #include <setsudan/mesh/geometry.h>
-#include <setsudan/simulation/record/recorder.h>
+#include <setsudan/simulation/record/results_writer.h>
 
 #include <sstream>
 
@@ -74,9 +74,9 @@ warn_of_round_off(const SolveQuality &quality)
 
 template <int dim>
 void
-Recorder<dim>::doubt(const Event &event,
-                     const State<dim> &state,
-                     const WallOverlap<dim> &overlap)
+ResultsWriter<dim>::doubt(const Event &event,
+                          const State<dim> &state,
+                          const WallOverlap<dim> &overlap)
 {
   if (!state.quality.warning.empty())
     progress.warn(state.quality.warning);
@@ -113,7 +113,7 @@ Recorder<dim>::doubt(const Event &event,
 
 template <int dim>
 void
-Recorder<dim>::warn_anew()
+ResultsWriter<dim>::warn_anew()
 {
   const unsigned int round_off = warned.round_off;
   warned                       = {};
@@ -124,7 +124,7 @@ Recorder<dim>::warn_anew()
 
 template <int dim>
 std::string
-Recorder<dim>::describe_doubts() const
+ResultsWriter<dim>::describe_doubts() const
 {
   if (doubts.n_states == 0)
     return "";
@@ -145,15 +145,19 @@ Recorder<dim>::describe_doubts() const
 
 
 template void
-Recorder<2>::doubt(const Event &, const State<2> &, const WallOverlap<2> &);
+ResultsWriter<2>::doubt(const Event &,
+                        const State<2> &,
+                        const WallOverlap<2> &);
 template void
-Recorder<2>::warn_anew();
+ResultsWriter<2>::warn_anew();
 template std::string
-Recorder<2>::describe_doubts() const;
+ResultsWriter<2>::describe_doubts() const;
 template void
-Recorder<3>::doubt(const Event &, const State<3> &, const WallOverlap<3> &);
+ResultsWriter<3>::doubt(const Event &,
+                        const State<3> &,
+                        const WallOverlap<3> &);
 template void
-Recorder<3>::warn_anew();
+ResultsWriter<3>::warn_anew();
 template std::string
-Recorder<3>::describe_doubts() const;
+ResultsWriter<3>::describe_doubts() const;
 } // namespace Setsudan

@@ -142,8 +142,8 @@ template <int dim>
 Scene<dim>::Scene(const Parameters &parameters)
   : length_unit(parameters.text("", "Length unit"))
   , force_unit(parameters.text("", "Force unit"))
-  , shape(parameters)
-  , body(make_body(parameters, shape))
+  , body_parameters(parameters)
+  , body(make_body(parameters, body_parameters))
   , supports(SupportParameters<dim>(parameters, body), body)
   , loads(parameters, body)
   , material(parameters, body)
@@ -156,7 +156,10 @@ Scene<dim>::Scene(const Parameters &parameters)
   , solver(parameters)
   , output(parameters)
 {
-  check_size(parameters, shape, cut, estimate_size(shape, body, cut, solver));
+  check_size(parameters,
+             body_parameters,
+             cut,
+             estimate_size(body_parameters, body, cut, solver));
   check_supports(parameters, body, supports);
   // The path of the body's file changes with the directory: it may be none that
   // parameters.prm can hold.
@@ -168,7 +171,7 @@ Scene<dim>::Scene(const Parameters &parameters)
                      "frame or travel where there are several cuts, in each of "
                      "which depth begins anew");
   parameters.require(!output.calculix_decks ||
-                       shape.element_type == ElementType::serendipity,
+                       body_parameters.element_type == ElementType::serendipity,
                      "Output",
                      "CalculiX decks",
                      "false with another Body/Element type than serendipity");

@@ -3,9 +3,9 @@
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/accuracy/choose_refinement.h>
 #include <setsudan/simulation/accuracy/state_error.h>
-#include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/checks.h>
 #include <setsudan/simulation/interruption.h>
+#include <setsudan/simulation/messages.h>
 #include <setsudan/simulation/record/resumption.h>
 #include <setsudan/simulation/simulation.h>
 
@@ -24,19 +24,19 @@ Simulation<dim>::Simulation(const Scene<dim> &scene,
   : scene(scene)
   , timer(timer)
   , checkpoint(checkpoint)
-  , recorder(scene,
-             parameters,
-             communicator,
-             timer,
-             checkpoint ? OutputDirectory::Earlier::kept
-                        : OutputDirectory::Earlier::removed)
+  , results(scene,
+            parameters,
+            communicator,
+            timer,
+            checkpoint ? OutputDirectory::Earlier::kept
+                       : OutputDirectory::Earlier::removed)
   , checkpoints(scene.output.checkpoint,
-                recorder.directory,
-                recorder.progress,
+                results.directory,
+                results.progress,
                 communicator)
   , body(scene,
          checkpoint ? checkpoint->refinement
-                    : choose_refinement(scene, recorder.progress, communicator),
+                    : choose_refinement(scene, results.progress, communicator),
          communicator)
   , drive(Drive<dim>::make(scene))
 {
@@ -44,7 +44,7 @@ Simulation<dim>::Simulation(const Scene<dim> &scene,
     return;
   // From now on the directory is that of a run that has begun.
   checkpoints.make({});
-  recorder.write_parameters(parameters);
+  results.write_parameters(parameters);
 }
 
 
@@ -53,9 +53,9 @@ template <int dim>
 void
 Simulation<dim>::run()
 {
-  recorder.progress.say(describe_body(body));
+  results.progress.info(describe_body(body));
   for (const auto &joint : describe_open_joints(scene))
-    recorder.progress.warn(joint);
+    results.progress.warn(joint);
   bool goes_on = true;
   if (checkpoint)
     goes_on = resume();
@@ -71,14 +71,14 @@ Simulation<dim>::run()
         checkpoint_if_due(Checkpoint::Stage::divided);
       goes_on = make_cut(cut);
     }
-  recorder.finish();
+  results.finish();
   checkpoints.finish();
   std::ostringstream line;
   line << "Results in " << scene.output.directory << ": " << n_frames
        << " states, " << body.n_pieces()
        << (body.n_pieces() == 1 ? " piece" : " pieces");
-  const std::string doubts = recorder.describe_doubts();
-  recorder.progress.say(line.str() +
+  const std::string doubts = results.describe_doubts();
+  results.progress.info(line.str() +
                         (doubts.empty() ? "." : "; " + doubts + "."));
 }
 
@@ -135,9 +135,9 @@ Simulation<dim>::resume()
   state    = restore_state(*checkpoint, body);
   event    = checkpoint->event;
   n_frames = checkpoint->n_frames;
-  recorder.restore(checkpoint->record);
+  results.restore(checkpoint->record);
   const bool divided = checkpoint->stage == Checkpoint::Stage::divided;
-  recorder.progress.say(
+  results.progress.info(
     "Resumed behind " +
     (divided ? "" : "row " + std::to_string(event.row + 1) + " of ") + "cut " +
     std::to_string(event.cut) + ".");
@@ -158,7 +158,7 @@ Simulation<dim>::checkpoint_if_due(const Checkpoint::Stage stage)
       reached.n_frames   = n_frames;
       reached.event      = event;
       reached.refinement = body.refinement();
-      reached.record     = recorder.save();
+      reached.record     = results.save();
       const TimerOutput::Scope section(timer, "checkpoint");
       store_state(state, body, reached);
       checkpoints.make(reached);
@@ -182,8 +182,8 @@ Simulation<dim>::rest()
   event.required_stress = scene.criterion->smallest_requirement();
   if (scene.accuracy.estimate)
     event.errors = std::array<double, 2>{{0., 0.}};
-  recorder.record("rest", event);
-  recorder.write_state(body, state, no_blade(body.model()), event, true);
+  results.record("rest", event);
+  results.write_state(body, state, no_blade(body.model()), event, true);
 }
 
 
@@ -193,12 +193,12 @@ void
 Simulation<dim>::deform_only()
 {
   if (!scene.blade.edge_loads.front().empty())
-    recorder.progress.warn(
+    results.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
   accept(solve(no_blade(body.model()), 0), no_blade(body.model()));
-  recorder.record("deform", event);
-  recorder.write_state(body, state, no_blade(body.model()), event, true);
+  results.record("deform", event);
+  results.write_state(body, state, no_blade(body.model()), event, true);
 }
 
 
@@ -211,22 +211,22 @@ Simulation<dim>::begin_cut(const unsigned int cut)
   const Cut<dim> &chosen = scene.cut.cuts[cut];
   if (!body.begin_cut(chosen))
     {
-      recorder.progress.say("Cut " + std::to_string(cut) + " (" + chosen.text +
+      results.progress.info("Cut " + std::to_string(cut) + " (" + chosen.text +
                             "): nothing is left to cut, earlier cuts have "
                             "opened it or its pieces have been dropped.");
       return false;
     }
   event.cut           = cut;
   event.released_rows = 0;
-  recorder.warn_anew();
-  recorder.progress.say(describe_cut(body, cut));
+  results.warn_anew();
+  results.progress.info(describe_cut(body, cut));
   if (chosen.surface.n_open > 0)
-    recorder.progress.say("  " + std::to_string(chosen.surface.n_open) +
+    results.progress.info("  " + std::to_string(chosen.surface.n_open) +
                           " element faces of it lie on the surface of the "
                           "body, which is open there "
                           "already: they are left out.");
   if (chosen.surface.roughness > 1e-6)
-    recorder.progress.warn(describe_roughness(chosen));
+    results.progress.warn(describe_roughness(chosen));
   return true;
 }
 
@@ -244,18 +244,18 @@ Simulation<dim>::deform(const unsigned int row)
   accept(advance(), blade);
 
   if (row > 0)
-    recorder.record("release", event);
+    results.record("release", event);
   event.row        = row;
   event.depth      = body.seam().rows()[row].depth;
   event.row_pieces = body.pieces_of_row(row);
-  recorder.record("deform", event);
-  recorder.show_row(event, body.seam().rows().size());
-  recorder.write_state(body,
-                       state,
-                       blade,
-                       event,
-                       row == 0 || row + 1 == body.seam().rows().size() ||
-                         !state.yields);
+  results.record("deform", event);
+  results.show_row(event, body.seam().rows().size());
+  results.write_state(body,
+                      state,
+                      blade,
+                      event,
+                      row == 0 || row + 1 == body.seam().rows().size() ||
+                        !state.yields);
   checkpoint_if_due(Checkpoint::Stage::row);
 }
 
@@ -266,7 +266,7 @@ bool
 Simulation<dim>::row_yields(const unsigned int row)
 {
   if (state.yields && drive->is_checked(row))
-    recorder.record("yield", event);
+    results.record("yield", event);
   return state.yields;
 }
 
@@ -276,8 +276,8 @@ template <int dim>
 void
 Simulation<dim>::arrest()
 {
-  recorder.record("arrest", event);
-  recorder.progress.say(
+  results.record("arrest", event);
+  results.progress.info(
     describe_arrest(scene, event, body.seam().rows().size()));
 }
 
@@ -307,8 +307,8 @@ Simulation<dim>::split_nodes()
            << ": it is not the uncut body.";
       throw InvariantError("The" + line.str().substr(1));
     }
-  recorder.progress.show(line.str());
-  recorder.progress.show(describe_solve(body));
+  results.progress.show(line.str());
+  results.progress.show(describe_solve(body));
 }
 
 
@@ -341,7 +341,7 @@ void
 Simulation<dim>::say_what_is_loose(const std::vector<FloatingPiece> &known)
 {
   for (const auto &line : describe_loose_pieces(body, known))
-    recorder.progress.say(line);
+    results.progress.info(line);
 }
 
 
@@ -354,10 +354,10 @@ Simulation<dim>::finish_cut()
   body.finish_cut();
   say_what_is_loose(known);
   accept(solve(no_blade(body.model()), 0), no_blade(body.model()));
-  recorder.record("release", event);
-  recorder.record("divide", event);
-  recorder.write_state(body, state, no_blade(body.model()), event, true);
-  recorder.write_pieces(body, state);
+  results.record("release", event);
+  results.record("divide", event);
+  results.write_state(body, state, no_blade(body.model()), event, true);
+  results.write_pieces(body, state);
 }
 
 
@@ -392,7 +392,7 @@ Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
     check_energy_of_split(body, state, new_state);
   body.accept();
   state = std::move(new_state);
-  recorder.doubt(event, state, overlap);
+  results.doubt(event, state, overlap);
 }
 
 

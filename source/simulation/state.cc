@@ -38,7 +38,7 @@ template <int dim>
 LA::Vector
 lift_of(const CutBody<dim> &body, const State<dim> &state)
 {
-  LA::Vector lift = body.model().prescribed;
+  LA::Vector lift = body.model().lift;
   lift += state.opening;
   return lift;
 }

@@ -3,8 +3,8 @@
 #include <setsudan/output/pieces/piece_table.h>
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/parameters/lists.h>
-#include <setsudan/simulation/announcements.h>
 #include <setsudan/simulation/cut_body.h>
+#include <setsudan/simulation/messages.h>
 #include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/validation.h>
 
@@ -30,7 +30,7 @@ std::string
 describe_size(const Scene<dim> &scene)
 {
   const ModelSize size =
-    estimate_size(scene.shape, scene.body, scene.cut, scene.solver);
+    estimate_size(scene.body_parameters, scene.body, scene.cut, scene.solver);
   return "Body: " + std::to_string(dim) + "D, " +
          counted(scene.body.mesh.cells.size(), "element") + ", " +
          counted(scene.body.n_nodes(), "node") + "; solved with about " +

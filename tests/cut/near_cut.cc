@@ -115,12 +115,13 @@ test(const std::vector<SceneEntry> &entries,
   const Parameters parameters("test", all, Scene<dim>::declare);
   const Scene<dim> scene(parameters);
   const Refinement refinement = refine_near_cuts(
-    scene.body, scene.cut, scene.shape.refinement, MPI_COMM_WORLD);
+    scene.body, scene.cut, scene.body_parameters.refinement, MPI_COMM_WORLD);
   const auto cells = cells_of(scene.body.mesh, refinement);
 
   CoarseMesh<dim> cut = scene.body.mesh;
   bool alike = true, fine_enough = true;
-  const unsigned int level = scene.shape.refinement + scene.cut.near_cut_levels;
+  const unsigned int level =
+    scene.body_parameters.refinement + scene.cut.near_cut_levels;
   for (const auto &one : scene.cut.cuts)
     {
       cut = split_mesh(cut, one.surface.faces);

@@ -61,7 +61,7 @@ private:
              constraints,
              solver_parameters,
              assembled_kind(solver_parameters, model.discretization))
-      .solve(model.loads, model.prescribed, model.discretization.zero_vector())
+      .solve(model.loads, model.lift, model.discretization.zero_vector())
       .displacement;
   }
 };

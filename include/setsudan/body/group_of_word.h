@@ -29,10 +29,10 @@ enum class GroupKind
  */
 template <int dim>
 const Group &
-group_of_word(const Parameters &parameters,
-              const std::string &subsection,
-              const std::string &name,
-              const Body<dim> &body,
-              const std::string &word,
-              const GroupKind kind);
+find_group_or_reject(const Parameters &parameters,
+                     const std::string &subsection,
+                     const std::string &name,
+                     const Body<dim> &body,
+                     const std::string &word,
+                     const GroupKind kind);
 } // namespace Setsudan

@@ -54,7 +54,7 @@ struct ElasticModel
   dealii::IndexSet supported;
   /** A displacement that has what the supports prescribe, and is otherwise
    * zero but at hanging nodes. */
-  LA::Vector prescribed;
+  LA::Vector lift;
   /** Nodal forces of the loads, without the blade. */
   LA::Vector loads;
 

@@ -21,7 +21,7 @@ public:
 
   /** A line that stays. */
   void
-  say(const std::string &line);
+  info(const std::string &line);
 
   /** A line that stays and stands out. */
   void

@@ -42,7 +42,7 @@ struct Scene
 
   const std::string length_unit;
   const std::string force_unit;
-  const BodyParameters<dim> shape;
+  const BodyParameters<dim> body_parameters;
   const Body<dim> body;
   const Supports<dim> supports;
   const LoadParameters<dim> loads;

@@ -4,7 +4,7 @@
 
 #include <setsudan/simulation/drive.h>
 #include <setsudan/simulation/record/checkpoint_schedule.h>
-#include <setsudan/simulation/record/recorder.h>
+#include <setsudan/simulation/record/results_writer.h>
 
 #include <optional>
 #include <vector>
@@ -106,7 +106,7 @@ private:
   const Scene<dim> &scene;
   dealii::TimerOutput &timer;
   const std::optional<Checkpoint> checkpoint;
-  Recorder<dim> recorder;
+  ResultsWriter<dim> results;
   CheckpointSchedule checkpoints;
   CutBody<dim> body;
   const std::unique_ptr<const Drive<dim>> drive;

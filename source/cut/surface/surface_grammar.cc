@@ -123,7 +123,8 @@ read_group(const Parameters &parameters,
            const std::string &word)
 {
   return std::make_shared<GroupOfFaces<dim>>(
-    group_of_word(parameters, "Cut", "Surfaces", body, word, GroupKind::faces)
+    find_group_or_reject(
+      parameters, "Cut", "Surfaces", body, word, GroupKind::faces)
       .entities);
 }
 
@@ -139,7 +140,7 @@ read_interface(const Parameters &parameters,
   if (words.size() != 2)
     reject(parameters, "'between : A, B' with two groups of elements");
   const auto elements = [&](const std::string &word) {
-    return group_of_word(
+    return find_group_or_reject(
              parameters, "Cut", "Surfaces", body, word, GroupKind::elements)
       .cells;
   };

@@ -83,12 +83,12 @@ remove_loads_from_piece(const std::vector<unsigned int> &pieces,
         for (const auto index : node)
           if (model.discretization.owned.is_element(index))
             {
-              model.loads(index)      = 0;
-              model.prescribed(index) = 0;
+              model.loads(index) = 0;
+              model.lift(index)  = 0;
             }
     });
   model.loads.compress(VectorOperation::insert);
-  model.prescribed.compress(VectorOperation::insert);
+  model.lift.compress(VectorOperation::insert);
 }
 
 

@@ -36,7 +36,7 @@ choose_refinement(const Scene<dim> &scene,
 {
   const auto &accuracy  = scene.accuracy;
   Refinement refinement = refine_near_cuts(
-    scene.body, scene.cut, scene.shape.refinement, communicator);
+    scene.body, scene.cut, scene.body_parameters.refinement, communicator);
   if (accuracy.target == 0)
     return refinement;
 
@@ -50,7 +50,7 @@ choose_refinement(const Scene<dim> &scene,
         accuracy, trial.relative_error(), trial.n_cells(), n_trials);
       if (trial.relative_error() <= accuracy.target)
         {
-          progress.say(choice);
+          progress.info(choice);
           return refinement;
         }
       const auto &marked = trial.marked();

@@ -31,7 +31,7 @@ serialize(Archive &archive, Doubts &doubts, const unsigned int)
 
 template <typename Archive>
 void
-serialize(Archive &archive, Record &record, const unsigned int)
+serialize(Archive &archive, WriterState &record, const unsigned int)
 {
   archive &record.table &record.sequence &record.doubts &record.warned &record
     .earlier_depths &record.framed_at &record.cut_began &record.seconds;

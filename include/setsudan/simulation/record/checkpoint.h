@@ -1,7 +1,7 @@
 #pragma once
 
 #include <setsudan/output/output_directory.h>
-#include <setsudan/simulation/record/recorder.h>
+#include <setsudan/simulation/record/results_writer.h>
 #include <setsudan/simulation/state.h>
 
 #include <optional>
@@ -31,7 +31,7 @@ struct Checkpoint
   Refinement refinement;
   /** The last event; it names cut and row. */
   Event event;
-  Record record;
+  WriterState record;
 
   /** Of the state; what is not here follows from it. */
   double load_factor = 0;

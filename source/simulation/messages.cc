@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/body/joints.h>
-#include <setsudan/simulation/announcements.h>
+#include <setsudan/simulation/messages.h>
 
 #include <algorithm>
 #include <map>
@@ -22,9 +22,10 @@ describe_body(const CutBody<dim> &body)
   const auto n_cells = discretization.triangulation.n_global_active_cells();
   std::ostringstream line;
   const std::string type =
-    scene.shape.element_type == ElementType::linear      ? " linear"
-    : scene.shape.element_type == ElementType::quadratic ? " quadratic"
-                                                         : "";
+    scene.body_parameters.element_type == ElementType::linear ? " linear"
+    : scene.body_parameters.element_type == ElementType::quadratic
+      ? " quadratic"
+      : "";
   line << "Body: " << dim << "D, " << n_elements << type
        << (n_elements == 1 ? " element" : " elements")
        << (scene.body.mesh.is_curved() ? " with curved sides, " : ", ");
@@ -54,7 +55,8 @@ template <int dim>
 std::vector<std::string>
 describe_open_joints(const Scene<dim> &scene)
 {
-  if (scene.shape.open_joints == BodyParameters<dim>::OpenJoints::allow)
+  if (scene.body_parameters.open_joints ==
+      BodyParameters<dim>::OpenJoints::allow)
     return {};
   return describe_joints(scene.body, find_joints(scene.body));
 }

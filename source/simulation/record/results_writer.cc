@@ -8,7 +8,7 @@
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/record/frame_facts.h>
-#include <setsudan/simulation/record/recorder.h>
+#include <setsudan/simulation/record/results_writer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,11 +46,11 @@ open_directory(const Parameters &parameters,
 
 
 template <int dim>
-Recorder<dim>::Recorder(const Scene<dim> &scene,
-                        const Parameters &parameters,
-                        const MPI_Comm communicator,
-                        TimerOutput &timer,
-                        const OutputDirectory::Earlier earlier)
+ResultsWriter<dim>::ResultsWriter(const Scene<dim> &scene,
+                                  const Parameters &parameters,
+                                  const MPI_Comm communicator,
+                                  TimerOutput &timer,
+                                  const OutputDirectory::Earlier earlier)
   : progress(communicator)
   , directory(
       open_directory(parameters, scene.output.directory, communicator, earlier))
@@ -65,7 +65,7 @@ Recorder<dim>::Recorder(const Scene<dim> &scene,
 
 
 template <int dim>
-Recorder<dim>::~Recorder()
+ResultsWriter<dim>::~ResultsWriter()
 {
   try
     {
@@ -82,7 +82,7 @@ Recorder<dim>::~Recorder()
 
 template <int dim>
 void
-Recorder<dim>::write_parameters(const Parameters &parameters) const
+ResultsWriter<dim>::write_parameters(const Parameters &parameters) const
 {
   if (is_first_process)
     directory.write("parameters.prm", [&](std::ostream &out) {
@@ -94,7 +94,7 @@ Recorder<dim>::write_parameters(const Parameters &parameters) const
 
 template <int dim>
 void
-Recorder<dim>::finish()
+ResultsWriter<dim>::finish()
 {
   const TimerOutput::Scope section(timer, "frames and tables");
   frames.finish();
@@ -105,8 +105,8 @@ Recorder<dim>::finish()
 
 
 template <int dim>
-Record
-Recorder<dim>::save()
+WriterState
+ResultsWriter<dim>::save()
 {
   // What is resumed from must be there.
   finish();
@@ -124,7 +124,7 @@ Recorder<dim>::save()
 
 template <int dim>
 void
-Recorder<dim>::restore(const Record &record)
+ResultsWriter<dim>::restore(const WriterState &record)
 {
   statistics.table = record.table;
   frames.sequence  = record.sequence;
@@ -140,7 +140,7 @@ Recorder<dim>::restore(const Record &record)
 
 template <int dim>
 void
-Recorder<dim>::record(const std::string &name, Event &event)
+ResultsWriter<dim>::record(const std::string &name, Event &event)
 {
   const TimerOutput::Scope section(timer, "frames and tables");
   event.name    = name;
@@ -153,8 +153,8 @@ Recorder<dim>::record(const std::string &name, Event &event)
 
 template <int dim>
 Vector<double>
-Recorder<dim>::error_squares_of(const CutBody<dim> &body,
-                                const State<dim> &state) const
+ResultsWriter<dim>::error_squares_of(const CutBody<dim> &body,
+                                     const State<dim> &state) const
 {
   // At rest there is no error.
   if (scene.accuracy.estimate && state.error_squares.size() == 0)
@@ -167,7 +167,7 @@ Recorder<dim>::error_squares_of(const CutBody<dim> &body,
 
 template <int dim>
 double
-Recorder<dim>::next_time(const Event &event)
+ResultsWriter<dim>::next_time(const Event &event)
 {
   if (scene.output.time == OutputParameters::Time::frame)
     return event.frame;
@@ -185,11 +185,11 @@ Recorder<dim>::next_time(const Event &event)
 
 template <int dim>
 void
-Recorder<dim>::write_state(const CutBody<dim> &body,
-                           const State<dim> &state,
-                           const BladeLoad<dim> &blade,
-                           const Event &event,
-                           const bool is_stage)
+ResultsWriter<dim>::write_state(const CutBody<dim> &body,
+                                const State<dim> &state,
+                                const BladeLoad<dim> &blade,
+                                const Event &event,
+                                const bool is_stage)
 {
   const TimerOutput::Scope section(timer, "frames and tables");
   using Frames      = OutputParameters::Frames;
@@ -229,9 +229,9 @@ Recorder<dim>::write_state(const CutBody<dim> &body,
 
 template <int dim>
 void
-Recorder<dim>::write_deck(const CutBody<dim> &body,
-                          const State<dim> &state,
-                          const std::string &name) const
+ResultsWriter<dim>::write_deck(const CutBody<dim> &body,
+                               const State<dim> &state,
+                               const std::string &name) const
 {
   const auto constraints = body.constraints();
   const auto prescribed  = lift_of(body, state);
@@ -250,7 +250,8 @@ Recorder<dim>::write_deck(const CutBody<dim> &body,
 
 template <int dim>
 void
-Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
+ResultsWriter<dim>::write_pieces(const CutBody<dim> &body,
+                                 const State<dim> &state)
 {
   const TimerOutput::Scope section(timer, "frames and tables");
   const auto displacements = gather_displacements(
@@ -293,7 +294,7 @@ Recorder<dim>::write_pieces(const CutBody<dim> &body, const State<dim> &state)
 
 template <int dim>
 void
-Recorder<dim>::show_row(const Event &event, const unsigned int n_rows)
+ResultsWriter<dim>::show_row(const Event &event, const unsigned int n_rows)
 {
   if (event.row == 0)
     cut_began = progress.seconds();
@@ -312,6 +313,6 @@ Recorder<dim>::show_row(const Event &event, const unsigned int n_rows)
 
 
 
-template class Recorder<2>;
-template class Recorder<3>;
+template class ResultsWriter<2>;
+template class ResultsWriter<3>;
 } // namespace Setsudan

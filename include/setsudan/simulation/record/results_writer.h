@@ -31,7 +31,7 @@ struct Doubts
 };
 
 /** The state of a record, apart from the files of its frames. */
-struct Record
+struct WriterState
 {
   /** Lines of statistics.csv. */
   std::string table;
@@ -52,20 +52,20 @@ struct Record
 /** Keeps the record of a run: the table of events, frames, node tables, the
  * pieces, and what is said on the way. */
 template <int dim>
-class Recorder
+class ResultsWriter
 {
 public:
   /** @param timer notes how long writing takes; it must live as long.
    * @param earlier whether the record of an earlier run is kept, to be gone
    * on with. */
-  Recorder(const Scene<dim> &scene,
-           const Parameters &parameters,
-           const MPI_Comm communicator,
-           dealii::TimerOutput &timer,
-           const OutputDirectory::Earlier earlier);
+  ResultsWriter(const Scene<dim> &scene,
+                const Parameters &parameters,
+                const MPI_Comm communicator,
+                dealii::TimerOutput &timer,
+                const OutputDirectory::Earlier earlier);
 
   /** The table is whole however the run ends. */
-  ~Recorder();
+  ~ResultsWriter();
 
   /** Write parameters.prm. */
   void
@@ -78,10 +78,10 @@ public:
   finish();
 
   /** The record so far, when it is on the disk; and go on with one. */
-  Record
+  WriterState
   save();
   void
-  restore(const Record &record);
+  restore(const WriterState &record);
 
   /** Name an event of the present state, and add it to the statistics. */
   void
