@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The headers of deal.II that nearly every file needs and that take seconds to
 // compile. Nothing relies on this file: every source includes what it uses.
 #include <deal.II/base/function.h>

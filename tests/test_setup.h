@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What every unit test begins with: MPI, a fixed number format, and failures
 // that are printed where numdiff sees them.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How runs are timed: of the program, of benchmark programs and of others."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A block of general hexahedra, as gmsh would write it."""
 
 import itertools

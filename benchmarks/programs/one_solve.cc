@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One solve of a block of N^3 elements that stands on its bottom and is loaded
 // on its top: one_solve METHOD N [distorted] [ASSIGNMENT...]. METHOD is
 // multigrid (over the order of the functions, without a matrix), algebraic

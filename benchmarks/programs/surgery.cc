@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How long the mesh surgery takes on a mesh of about a million cells, for cuts
 // of different sizes: surgery DIMENSION N_PER_AXIS. A line for each cut: faces
 // of the cut, cells that have a vertex on it, vertices made, seconds of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How fast K u is computed without a matrix, beside what the processor could:
 // throughput N for N^3 elements. Prints names and values in a
 // line: unknowns; for general cells and for cells of one shape the products'

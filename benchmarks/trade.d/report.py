@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The tables, the plots and the advice of the trade."""
 
 import math

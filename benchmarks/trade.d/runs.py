@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The runs of the trade: scenes, what is varied, and how one is timed."""
 
 import dataclasses

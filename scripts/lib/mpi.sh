@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # The environment of a run. Open MPI refuses to start as root, which is what a
 # container's user is, unless told twice.
 if [ "$(id -u)" -eq 0 ]; then

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # install_packages NAME...: install the Debian packages that are missing.
 install_packages()
 {

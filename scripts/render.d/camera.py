@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The view of a cut, the same for all frames."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What colours stand for: the same for VTK and for the colour bar."""
 
 import matplotlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draw the frames of runs: pictures of the bodies, then the sheets of each run.
 
 All runs share the camera, the colours and the factor of the displacements, so

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures and tables of doc/kakefuda_1996.md, from the painted runs."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The stages of a cut beside each other, as in figure 5 of the paper."""
 
 from math import ceil

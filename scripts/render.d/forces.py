@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The blade's force and the stresses of a run, over the way of the blade."""
 
 from itertools import accumulate

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The line of the row that a blade is about to cut."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels of arrows, as many as have room."""
 
 import numpy as np

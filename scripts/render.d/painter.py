@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies as pictures, by VTK."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Plain pictures with what a reader needs: forces, colours, scale."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a run of setsudan left in its output directory."""
 
 import csv

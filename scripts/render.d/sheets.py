@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labelled frames, film strip, animation and plots of one painted run."""
 
 import json

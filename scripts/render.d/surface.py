@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The faces of elements that can be seen, each as a fine lattice of quadrilaterals.
 
 Elements have the points of VTK's Lagrange cells of order 1 or 2, which the

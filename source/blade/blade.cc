@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/blade/blade.h>
 #include <setsudan/parameters/lists.h>
 

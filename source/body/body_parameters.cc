@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/body_parameters.h>
 #include <setsudan/body/gmsh/gmsh_file.h>
 #include <setsudan/body/joints.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/element/fe_q_serendipity.h>
 #include <setsudan/element/serendipity_polynomials.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Compiled once for each kind of processor: SETSUDAN_KIND is its name, and
 // SETSUDAN_LANES the numbers that its vector registers hold. It must not
 // include what has inline functions with a name outside this file: the linker

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/physics/elasticity/standard_tensors.h>
 
 #include <setsudan/material/constitutive_law.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/group_of_word.h>
 #include <setsudan/body/node_of_word.h>
 #include <setsudan/mechanics/loads.h>

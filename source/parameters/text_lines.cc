@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/parameters/scene_file.h>
 #include <setsudan/parameters/text_lines.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/mesh_size.h>
 #include <setsudan/simulation/model_size.h>
 

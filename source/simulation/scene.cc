@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <filesystem>
 #include <numeric>
 #include <setsudan/mechanics/pieces/hinges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/mesh/point_name.h>
 #include <setsudan/output/pieces/element_order.h>
 #include <setsudan/output/pieces/piece_mesh.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/assembled_solver.h>
 #include <setsudan/solver/equilibrium.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/tangent_solver.h>
 
 #include <setsudan/solver/linear/linear_solver.h>

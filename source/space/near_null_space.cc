@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/space/near_null_space.h>
 #include <setsudan/space/rigid_modes.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Node numbers of boxes: one for each node and each for one node, in the order
 // of the nodes' positions, and the same from every element.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Work in a child process: what it hands back, and how it can end without.
 
 #include <setsudan/body/gmsh/child_process.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A confined process reads files and starts threads, and neither writes files
 // nor runs commands.
 

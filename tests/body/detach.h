@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Meshes that come apart, without the surgery.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the tests of gmsh files print of the bodies.
 #pragma once
 

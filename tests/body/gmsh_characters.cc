@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Characters that look right in gmsh files, and are something else.
 
 #include <algorithm>

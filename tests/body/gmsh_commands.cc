@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A geometry is a program: what it may not do leaves no trace.
 
 #include <filesystem>

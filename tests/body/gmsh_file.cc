@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies from gmsh geometries, and from meshes that gmsh writes of them: all
 // types of elements and versions of files, curved lines.
 

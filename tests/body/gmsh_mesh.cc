@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies from the text of gmsh files: groups, numbers, nodes in one place, and
 // cells that the file lists in directions of its own.
 

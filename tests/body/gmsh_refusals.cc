@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What gmsh files are refused for, each with a sentence.
 
 #include <functional>

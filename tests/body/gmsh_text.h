@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Small meshes, written as the text of gmsh files of version 2.2.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Where bodies touch themselves without being joined, and where parts are
 // joined by lines and points only.
 

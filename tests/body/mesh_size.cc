@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The size of a mesh and of its refinements, counted and not made: the unknowns
 // that deal.II then has.
 

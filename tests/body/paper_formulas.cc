@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Equations (19) to (27) of Kakefuda et al. (1996): the elements behind a cut
 // across an axis and the nodes of the cut. The paper's i and j count nodes; an
 // even layer or row (between elements) and the odd one before it (through their

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What reading gmsh files refuses, printed.
 #pragma once
 

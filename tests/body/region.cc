@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Regions: groups have the points of what is in them and of its boundary, boxes
 // those between two corners, and lists of nodes these nodes only.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A box with its supports, from assignments as the command line has them:
 // {"Body/Size=1,2,3", "Support/Fixed faces=bottom"}.
 #pragma once

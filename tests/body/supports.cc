@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What is held and moved: the nodes of groups, of boxes in space, and single
 // ones, found from every element that has them.
 

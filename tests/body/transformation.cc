@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How a body is brought to its place: scaled, rotated in turn, then moved.
 
 #include <setsudan/body/transformation.h>

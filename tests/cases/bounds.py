@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """E. Bounds of boxes and depths hold to a millionth of an element, so that what a
 user writes as 0.3 takes the layer at 3*(1/10); a box that holds nothing is refused.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Small cases out of what people have reported about programs that mesh bodies, cut
 them and look at results, each with its right value or its refusal.
 

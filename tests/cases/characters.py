@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """M. Bytes: byte order marks and all line ends are read; characters that look like
 others, and files that are no text in UTF-8, are refused with their place.
 

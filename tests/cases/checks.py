@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is asked of a run: functions of its directory and of what it said, which give
 problems."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """O. What gmsh skips without a word: sections that are there twice, and counts that do
 not fit, are refused by the section, and line, or are joined.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """C. 'where : expression' is one expression that is 0 on the cut: lists, assignments
 and comparisons are refused, though muParser takes them; commas and comparisons
 within an expression are right.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """J. A body far from the origin, as in map coordinates, has the forces, energies and
 displacements that it has at the origin; tests/readers looks at its frames.
 

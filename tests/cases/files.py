@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """K. Files: a run replaces what a run of this program has written, and nothing else; it
 never removes what it reads. Names with blanks, kanji and '#' are what they are.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A. A geometry is a program: what ends gmsh, starts other programs, writes files or
 never ends is refused by its command or by the time that it takes; nothing of it is
 done, with --validate and on two processes neither.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """B. A word means the group of the dimension that a parameter is for, whatever other
 groups have that number or name; what is ambiguous is refused, and groups are
 listed with number and dimension.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """I. Parts of a body that touch and are not joined, or by a line or a point only: a
 warning says how many nodes and where; Body/Open joints refuses or allows them, and a
 hinge that can turn is refused.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Small meshes of boxes as gmsh files of version 2.2, without gmsh, joined as a test
 wants them."""
 

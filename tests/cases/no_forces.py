@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """G. States in which nothing pulls or presses are in balance: a body that clamps move,
 and a bar that has been cut across between its clamps. They run to their end, and are
 resumed.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """D. A number that is no node of the model is refused by its name, as a load and as a
 support: middle nodes of linear elements, nodes of a file that belong to no element,
 and those that elements leave out.

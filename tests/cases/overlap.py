@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """H. Walls of a cut that have moved through each other: how far is a column of the
 table, as the nodes say, and a warning.
 

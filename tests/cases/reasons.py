@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """N. Meshes that cannot be used are refused with the reason and a way out: surfaces
 without a volume, quarter points, prisms, nodes numbered from 0, the order of VTK.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """P. Reports of faults that this program has not: groups turned round, bodies of
 OpenCASCADE, slits of double nodes, slices that fall, units off by 1000, decimal
 commas of the environment, sparse numbers, fronts on the borders of processes.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """L. What is too large is refused in seconds, with the numbers of unknowns and of the
 memory that it would take, with --validate too.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Stories: tests that start the program more than once in one place."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """F. Where a surface passes through the centers of elements they go to one side, all
 of them, however the body lies in space; a warning says that such a cut is flat, and
 that another one is stepped.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rows, board, edge and lever rule of the blade, without solving.
 
 #include <setsudan/cut/seam/seam.h>

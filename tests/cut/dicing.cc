@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Boxes that are diced by one cut after another, in all orders: the dice are
 // boxes, with all that boxes have.
 

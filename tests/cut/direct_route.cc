@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stages of cuts along x and z against the direct route: a list of nodes that
 // is duplicated from the start, without seam, constraints or surgery. An opened
 // pair shares the unknown of its normal component, up to the opening.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Fronts that no axis follows, because they are closed or run back: positions
 // are lengths along them, and a place keeps its position in all rows, so that
 // the blade's loads stay where they are while it goes on.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Refinement near cuts: cells at the cuts and up to a distance from them are
 // small enough, both sides of a cut are alike, and the mesh that has been cut
 // gets the same cells from the record.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Process zones: weights that sum up to the closed form of a ball, a half ball
 // at a face, and a quarter at an edge; on small and on large cells; and the
 // measures of stress that criteria compare.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A ring that is cut once stays in one piece, which is open; cut twice it
 // falls into two. With straight lines, and with round ones, whose middle nodes
 // go with the elements.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Slits, which end inside the body, and cuts across them, in both orders: the
 // tip stays joined, and both orders give the same pieces.
 

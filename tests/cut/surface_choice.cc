@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The surfaces that a cut can follow: which faces they are, which side is plus,
 // how well they fit, and what is none.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The mesh surgery on boxes: the numbers of vertices and boundary faces that it
 // makes, the numbers of nodes on the two sides against the paper's formulas,
 // and the fan rule at tips and crossings.

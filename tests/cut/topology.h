@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a piece consists of, counted by the vertices that its cells name.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The load factor at which a row yields, against closed forms.
 
 #include <setsudan/cut/yield/cutting_stress.h>

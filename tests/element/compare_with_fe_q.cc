@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // FE_Q(2), constrained to the serendipity space, gives the same displacements:
 // its nodes inside of faces and cells get the values that the serendipity
 // functions of the cell take there.

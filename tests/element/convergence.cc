@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The L2 error of an elastic displacement on boxes falls with the third power
 // of the mesh size, which is the best that quadratic polynomials can do.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacements that are known exactly, and the body forces that hold them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the element tells the library about itself: sizes, constant modes,
 // which functions live on which face, support points, and its neighbours.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Hanging nodes on a face that the two cells see in different positions, in
 // all eight of them: the constraints give each hanging node the value that a
 // quadratic polynomial has there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Patch test across two levels of hanging nodes, on any number of processes:
 // linear displacements on distorted cells and quadratic ones on parallelepipeds
 // are reproduced exactly.

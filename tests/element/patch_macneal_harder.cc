@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The patch test for solids of MacNeal and Harder, A proposed standard set of
 // problems to test finite element accuracy, Finite Elements in Analysis and
 // Design 1, 1985: a unit cube of seven distorted hexahedra under a linear

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Of all monomials with exponents up to two, nodal interpolation reproduces
 // those of superlinear degree at most two, and no others.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The matrices between a cell and its children: what is prolonged is the same
 // polynomial on the children, and restricted back it is the same on the cell.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The functions are the published ones (Zienkiewicz and Taylor, The Finite
 // Element Method, serendipity family), on the cell [-1,1]^d:
 //   3D vertex 1/8 (1+xx_i)(1+yy_i)(1+zz_i)(xx_i+yy_i+zz_i-2),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Each function is one at its node and zero at the others; they sum to one
 // everywhere; their derivatives are those that differences give.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Linear elasticity, as little of it as the tests of the element need.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A quadratic displacement survives refinement and coarsening of a distributed
 // mesh, hanging nodes included.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies whose elements are sheared or tapered, up to where their Jacobian is not
 positive any more. A pressure from all sides strains them by a displacement that is
 linear in position, which all elements hold."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parameters at their extremes: what the program answers is right, by a scaling law
 or a closed form, or it is a refusal in one sentence. Never a number that is none,
 never a wrong one without a word.

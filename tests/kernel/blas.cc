@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Which kernels OpenBLAS shall take where its own choice is too old.
 
 #include <setsudan/kernel/blas.h>

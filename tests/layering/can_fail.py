@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """layering.py finds what is wrong: in a small house that is in order, one thing
 after another is spoilt."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The rooms of the house are in an order, and a file may include only files of
 its own room and of rooms before it; a folder within a room may include the
 room's own files as well. No file includes itself, by whatever way.

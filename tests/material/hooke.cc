@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Hooke's law against the closed forms of simple states, and the maximum shear.
 
 #include <setsudan/material/material.h>

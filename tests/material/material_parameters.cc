@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Materials of parts of the body: which element has which, and a bar of two
 // materials one behind the other.
 

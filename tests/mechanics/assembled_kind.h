@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The solver that parameters ask for, or its like with an assembled matrix.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The balance of forces and moments: it is even for a body at rest under its
 // loads, and it tells by how much it is not where something is missing.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bars whose displacement is a polynomial that the elements contain: pulled by
 // a force F on their end, sigma = F / A, or by a clamp that moves it; standing
 // under their own weight, the top sinks by rho g h^2 / (2 E). Without lateral

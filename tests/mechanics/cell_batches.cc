@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // K u cell by cell in batches is K u by the cells' matrices, for all shapes,
 // elements and materials, and so are the parts of K that are asked for.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Hooke's law by the way of laws that are not linear, with an internal variable
 // that counts the states which were accepted.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Curved elements of gmsh against closed forms. A round cylinder in torsion
 // (Saint-Venant, whose sections turn as a whole): the elements contain it. A
 // tube under inner pressure (Lamé), in 2D and in 3D: the displacement converges

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The extremes of a deformed body by the kernels are those that are found cell
 // by cell, for all shapes, elements and materials.
 

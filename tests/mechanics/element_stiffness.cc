@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The stiffness matrix of an element: symmetric, without resistance to rigid
 // motions and to nothing else, the right energy; and integrated once for all
 // elements of a box that are of one material.

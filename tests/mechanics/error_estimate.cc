@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The estimated error of Lamé's tube under inner pressure against its exact
 // error: the estimate's effectivity (estimated over exact energy norm) comes
 // near to 1, in 2D and 3D, for nearly incompressible bodies too, and where

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A body whose displacement is known: solved with the exact displacement at
 // some of its nodes, and compared in the L2 norm.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Gradients, positions and volumes of StressEvaluator are those of deal.II's
 // FEValues with the body's mapping.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Parts of a body that share lines or points only: held by their supports, by
 // each other, or free to move.
 

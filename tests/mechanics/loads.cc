@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The consistent nodal forces of pressures, tractions and body forces on
 // serendipity elements, and how forces on nodes are shared.
 

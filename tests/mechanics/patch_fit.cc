@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A polynomial is found again from its values at scattered points;
 // from points in two layers without its square across them; and from points on
 // a line as far as they tell.

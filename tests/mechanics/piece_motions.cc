@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rigid motions of pieces that are linked: which of them supports and links
 // stop, singly or only all together, and which loads work in those that are
 // left.

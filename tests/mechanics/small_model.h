@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // An elastic box with supports and loads, from assignments as the command line
 // has them: {"Body/Elements=2,1,1", "Load/Pressures=top:1"}.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A small elastic body with its displacement under its loads, by the solver
 // that its assignments ask for.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement gradients: those of a linear displacement are exact on distorted
 // and on curved elements; and the extremes of deformed states.
 

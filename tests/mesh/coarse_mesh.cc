@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The elements of a body: faces are the same from both sides, cells that share
 // a face are neighbors, and pieces are what hangs together by faces.
 

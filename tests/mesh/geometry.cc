@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The geometry of elements against the maps that they interpolate: volumes,
 // points, normals and areas of straight, sheared and curved elements, and how
 // well elements are shaped.

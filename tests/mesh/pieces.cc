@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The numbers of pieces are stable: what has been cut off gets a new one, what
 // is left keeps its own.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Names of points: the same from every element that has the point, different
 // for different points, and for the two sides of what was separated.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The table of statistics.csv's columns in doc/results.md: the expected output
 // is that table, and `scripts/document` writes both.
 

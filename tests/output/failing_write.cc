@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A file that cannot be written as a whole is not there at all: no half of it,
 // no temporary one; and an earlier one stays as it was.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A frame shows at the nodes of all cells where they are, and the displacement
 // and the stress there.
 

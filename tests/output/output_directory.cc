@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The output directory: what an earlier run left goes, what is somebody else's
 // stays.
 

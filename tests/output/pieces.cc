@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Pieces as bodies of their own: parts of a box have the numbers of a box, and
 // groups are those of the body, with the faces that the cut has opened. What is
 // written for gmsh is read as the same body.

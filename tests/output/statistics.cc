@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The table of events: the columns that scripts rely on, the values in the
 // columns of their names, and a whole table when it is written.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A directory that cannot be written is refused, by all processes alike.
 
 #include <setsudan/output/output_directory.h>

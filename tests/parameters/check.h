@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks whose outcome is printed, for numdiff to see.
 #pragma once
 

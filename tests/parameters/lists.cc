@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The grammar of values: lists, items with keys, numbers.
 
 #include <setsudan/parameters/lists.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Parameters: types, the later of two entries wins, and messages know where
 // the one that won was written.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The reader of scene files: comments, continued lines, included files, nested
 // subsections, and where each entry was written.
 

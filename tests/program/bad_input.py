@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Scenes with one thing wrong: the program says in one line what and where, and
 writes nothing.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The BLAS that the program computes with is fast: its matrix product runs at no
 less than 60 % of what OpenBLAS's best kernels for this processor give. What counts
 is the processor's time, and the best of several rounds.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The command line: what is wrong with it ends with status 2, what only asks for
 something with status 0, and none of it writes a file.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Scenes and bodies that are wrong at random: the program takes them, or refuses
 them in a sentence; it never crashes and never hangs.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What `cmake --install` puts into a directory runs from there, with its scenes.
 
 usage: install.py CMAKE BUILD_DIRECTORY

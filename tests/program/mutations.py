@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Changes of scenes and of files of bodies, as people, editors and converters make
 them, or as chance does. Each is a function of a generator of random numbers and of
 a text; where it finds nothing to change it gives the text as it is."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Starts of the program, each in a directory of its own, and what they must do.
 
 A test makes a list of Case and hands it to run_cases().

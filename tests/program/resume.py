@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs that are stopped, whatever by: their files are whole, and resumed they end
 with the same files, to the last digit, as a run that nothing has stopped.
 

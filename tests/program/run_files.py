@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The files of a run: whether they are whole, and whether two runs made the same, up
 to the tolerance of their solvers.
 """

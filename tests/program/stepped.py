@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs that go on step by step: each line that a run says waits in a pipe that holds
 no other, so that the run is never more than a line ahead of who reads, however
 fast or slow the machine is. So it can be stopped at a line, and has not ended.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies from files that cannot be used, and cuts that cannot be made through
 them: wrong_bodies.py PROGRAM
 

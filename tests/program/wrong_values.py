@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Values that are not allowed: for each group and dimension, the parameter, its
 value, a part of what the message says is allowed, and for some of them what
 else the scene has to say."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Frames, opened by VTK: cells, points, fields, volumes, and what is known of the state.
 
 usage: frames.py PROGRAM [MPIEXEC [PROCESSES]]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pieces as bodies, opened by VTK, meshio, gmsh and the program itself: together they
 are the body, and each has its groups.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Scenes whose results are read: small ones of all kinds, what their bodies measure,
 and starting them."""
 

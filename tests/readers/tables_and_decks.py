@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables by the csv module, decks by CalculiX, and parameters.prm by the program.
 
 usage: tables_and_decks.py PROGRAM

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Grids as VTK's own readers give them."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs, drawn by scripts/render: which pictures there are and what is in them.
 
 usage: pictures.py PROGRAM

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Let CalculiX solve every state of a scene again, from the decks that the program
 writes, and compare all displacements to 1e-6 of the state's largest.
 

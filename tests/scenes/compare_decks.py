@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The decks of CalculiX that several processes write are those of one: the same
 nodes, elements and equations, and the same numbers to 1e-9 of the largest."""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Run a cube of the reference tables through its whole cut, and compare every
 stage: displacements to 1e-6 of the largest, maximum shear, cutting stress and
 strain energy to 1e-6 relative."""

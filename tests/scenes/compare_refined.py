@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Refinement near the cut against refinement everywhere.
 
 The body is cut row by row on its own elements, on elements refined near the cut,

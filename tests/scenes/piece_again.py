@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A piece of one scene is the body of the next: a cube is cut, its second half
 is turned, stood on the cut's face, and cut again.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs of the program: the options that name it, and running a scene."""
 
 import argparse

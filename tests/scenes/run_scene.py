@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Run a scene and compare its statistics with an expected table.
 
 Columns of numbers must agree to the tolerance, relative to the largest value

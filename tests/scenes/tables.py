@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of results: reading, and comparing number by number."""
 
 import csv

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The states of a cut from one factorization are those of solving every row
 // anew: of tied, opened and free rows, of oblique cuts and crossing ones, with
 // hanging nodes, and of several kinds of elements; also where rows are tied

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The energy that a row would release: the difference of the potential energies
 // with and without its ties, half the ties' forces times the opening, and a
 // square of the load. The areas of rows sum up to that of the cut.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A law that counts the accepted states: its body deforms as that of Hooke's
 // law does, and every point of every cell keeps its count through surgery, on
 // refined cells and several processes, and through a checkpoint.

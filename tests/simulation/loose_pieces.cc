@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A horizontal cut leaves the top piece without support: it is held where that
 // strains nothing, and refused where a load or the next cut would push it; or
 // it is dropped, if that is wanted.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Prints doc/scene_file.md from the declarations of the parameters: the file
 // is this test's expected output, and `scripts/document` writes it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A seam whose pairs are all tied is the uncut body: for surfaces of all kinds,
 // next to elements that are refined and that are not, under supports and clamps
 // that the cut goes through, and across the cuts before it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The overlap of a cut's walls: a displacement that presses the two sides
 // together by a known amount, on one process and on two.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The direct solvers, for small and for larger bodies, and the iterative one
 // give the same displacement.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What is left of a matrix when all unknowns but some are eliminated is what
 // these are to each other, in one part or in two that are factored side by
 // side; the rest is recovered from them, all of it or some; and a dense factor

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a solver says that did not solve: an iteration that is not allowed to
 // take long enough, and bodies that nothing holds.
 

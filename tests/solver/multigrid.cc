@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Multigrid without a matrix gives what the direct solver gives, in few
 // iterations whose number does not grow with the body: for all shapes, elements
 // and supports, and hanging nodes. Scenes try ties and materials far apart.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A cantilever of length 6, height .2 and depth .1 under a unit force at its
 // tip (MacNeal and Harder 1985). The forces on its nodes are small differences
 // of large ones, so that rounding leaves more of a residual than elsewhere:

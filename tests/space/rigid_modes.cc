@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rigid motions, and the fewest components that hold a body against those which
 // its fixed points leave free.
 

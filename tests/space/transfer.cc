@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacements are carried to another mesh of the same elements, which may lie
 // on other processes: by element and node, so that the two sides of a cut keep
 // their own. They are carried between refined meshes as well.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """doc/results.md has the table of statistics.csv's columns as the program declares
 them (scripts/document writes it): columns.py DOCUMENT TABLE"""
 

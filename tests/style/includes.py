@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Headers include what they use of the standard library, and open no namespace for
 those who include them. That deal.II's headers bring it along is luck.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Slender beams of few elements under a unit load at their tip."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies of serendipity elements, built block by block and written as gmsh files.
 
 A block is a grid of elements on the unit cube (2D: square) with a function that

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A double cantilever beam: a strip that is cut along its middle from one end, and
 pulled open there."""
 

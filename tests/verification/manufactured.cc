@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A displacement that is chosen, u = grad(phi) + c |x|^2 / 2 with a harmonic
 // phi, and the constant body force that holds it: the errors of displacement
 // and stress in the L2 norm, while a body of distorted or curved elements is

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A displacement that is chosen, solved by manufactured.cc: the orders with which its
 errors fall. The numbers are those of manufactured.output, which is a test of its own."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Cook's membrane. It is in plane stress, the program's plane is strain; the fields
 in the plane are the same for E (1 + 2 ν) / (1 + ν)² and ν / (1 + ν)."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Seven distorted hexahedra under constant stress.
 
 The vertices are those of MacNeal and Harder but for the fifth, whose y is .186 there:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Problems that the program solves, and the rows of the table that they give."""
 
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A thick sphere under inner pressure, on curved elements."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thick elliptic plate of NAFEMS."""
 
 import math

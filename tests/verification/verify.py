@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Benchmarks with known answers, solved by the program: each number must be in its
 bound, and what doc/verification.md says of it must be what is computed.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/gmsh/child_process.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/gmsh/gmsh_checks.h>
 #include <setsudan/mesh/geometry.h>
 #include <setsudan/mesh/node_order.h>

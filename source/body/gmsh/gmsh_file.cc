@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/directions.h>
 #include <setsudan/body/gmsh/gmsh_checks.h>
 #include <setsudan/body/gmsh/gmsh_entities.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/gmsh/gmsh_outline.h>
 #include <setsudan/body/gmsh/gmsh_sections.h>
 

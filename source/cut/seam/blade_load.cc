@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/blade/blade_edge.h>
 #include <setsudan/cut/seam/blade_load.h>
 

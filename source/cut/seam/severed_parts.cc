@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/seam/severed_parts.h>
 #include <setsudan/parameters/exceptions.h>
 

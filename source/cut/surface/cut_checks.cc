@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/joints.h>
 #include <setsudan/cut/surface/cut_checks.h>
 #include <setsudan/cut/surface/mesh_surgery.h>

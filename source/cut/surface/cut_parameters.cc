@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/surface/cut_checks.h>
 #include <setsudan/cut/surface/cut_parameters.h>
 #include <setsudan/cut/surface/surface_grammar.h>

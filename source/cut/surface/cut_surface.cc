@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/surface/cut_surface.h>
 #include <setsudan/mesh/geometry.h>
 

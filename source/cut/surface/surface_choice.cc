@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/surface/surface_choice.h>
 #include <setsudan/mesh/face_index.h>
 #include <setsudan/mesh/geometry.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/yield/front_stresses.h>
 #include <setsudan/cut/yield/process_zone.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>

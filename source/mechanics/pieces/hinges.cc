@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/mechanics/pieces/hinges.h>
 #include <setsudan/mechanics/pieces/piece_motions.h>
 #include <setsudan/mesh/pieces.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/mechanics/stress/patch_fit.h>
 
 #include <cmath>

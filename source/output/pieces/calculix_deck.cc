@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/output/pieces/calculix_deck.h>
 #include <setsudan/output/pieces/element_order.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/gmsh/gmsh_session.h>
 #include <setsudan/mesh/node_order.h>
 #include <setsudan/output/pieces/element_order.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/mesh/geometry.h>
 #include <setsudan/output/pieces/piece_table.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/output/tables/statistics.h>
 #include <setsudan/output/tables/statistics_columns.h>
 

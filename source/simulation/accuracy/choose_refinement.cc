@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/surface/near_cut.h>
 #include <setsudan/simulation/accuracy/choose_refinement.h>
 #include <setsudan/simulation/accuracy/refinement_trial.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/distributed/grid_refinement.h>
 
 #include <setsudan/cut/surface/near_cut.h>

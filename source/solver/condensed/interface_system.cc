@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/condensed/interface_system.h>
 
 #include <algorithm>

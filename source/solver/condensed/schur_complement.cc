@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/condensed/schur_complement.h>
 
 #include <Teuchos_BLAS.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/condensed/connected_components.h>
 #include <setsudan/solver/condensed/static_condensation.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/linear/algebraic_multigrid.h>
 
 #include <Teuchos_ParameterList.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/linear/elimination_order.h>
 #include <setsudan/solver/linear/linear_solver.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/multigrid/constrained_stiffness.h>
 #include <setsudan/space/reference_gradients.h>
 

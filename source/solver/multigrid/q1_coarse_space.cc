@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/fe/fe_q.h>
 
 #include <setsudan/solver/multigrid/q1_coarse_space.h>
