@@ -71,7 +71,7 @@ ElasticModel<dim>::constrain_supports(const Supports<dim> &supports_of_body)
       }
   supports.close();
   lift.compress(VectorOperation::insert);
-  hanging.distribute(prescribed);
+  hanging.distribute(lift);
   for (const auto index : discretization.owned)
     if (supports.is_constrained(index))
       supported.add_index(index);

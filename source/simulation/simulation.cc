@@ -92,7 +92,10 @@ Simulation<dim>::make_cut(const unsigned int cut)
   if (!begin_cut(cut))
     return true;
   if (scene.yield.needs_seam())
-    split_nodes_before_yield();
+    {
+      state = solve(body.blade_on_row(0), 1);
+      split_nodes();
+    }
   deform(0);
   return make_cut_from(0);
 }
@@ -310,16 +313,6 @@ Simulation<dim>::split_nodes()
     }
   results.progress.show(line.str());
   results.progress.show(describe_solve(body));
-}
-
-
-
-template <int dim>
-void
-Simulation<dim>::split_nodes_before_yield()
-{
-  state = solve(body.blade_on_row(0), 1);
-  split_nodes();
 }
 
 

@@ -82,10 +82,6 @@ private:
   void
   split_nodes();
 
-  /** Duplicate the nodes already when the first row is judged. */
-  void
-  split_nodes_before_yield();
-
   void
   release_row(const unsigned int row);
 

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/parameters/exceptions.h>
+#include <setsudan/simulation/cut_body.h>
+
+// The constraints of a body's states, and the solvers under them.
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+typename CutBody<dim>::Constraints
+CutBody<dim>::constraints_without_seam() const
+{
+  const auto &discretization = present_model->discretization;
+  IndexSet lines             = discretization.relevant;
+  if (newest_seam)
+    lines.add_indices(
+      newest_seam->coupled_indices(discretization.dof_handler.n_dofs()));
+  Constraints constraints(lines);
+  for (const auto *part : {&present_model->hanging, &present_model->supports})
+    constraints.merge(*part, Constraints::no_conflicts_allowed, true);
+  severed.add_constraints(discretization, present_mesh, constraints);
+  return constraints;
+}
+
+
+
+template <int dim>
+typename CutBody<dim>::Constraints
+CutBody<dim>::constraints(const PairStates &states) const
+{
+  auto constraints = constraints_without_seam();
+  newest_seam->add_constraints(states, constraints);
+  constraints.close();
+  return constraints;
+}
+
+
+
+template <int dim>
+typename CutBody<dim>::Constraints
+CutBody<dim>::constraints() const
+{
+  if (newest_seam)
+    return constraints(pair_states());
+  auto constraints = constraints_without_seam();
+  constraints.close();
+  return constraints;
+}
+
+
+
+template <int dim>
+LA::Vector
+CutBody<dim>::opening() const
+{
+  return newest_seam ? newest_seam->opening(pair_states(),
+                                            *present_model,
+                                            the_scene.blade.thickness)
+                     : present_model->discretization.zero_vector();
+}
+
+
+
+template <int dim>
+Choice<SolverKind>
+CutBody<dim>::solver_choice() const
+{
+  return selection.choice(*present_model);
+}
+
+
+
+template <int dim>
+Choice<CutStrategy>
+CutBody<dim>::cut_strategy() const
+{
+  if (!present_model->is_linear())
+    return {CutStrategy::row_by_row, "since the material is not linear"};
+  CutSize size;
+  if (newest_seam && !is_finished)
+    size = {static_cast<unsigned int>(newest_seam->rows().size()),
+            2 * dim * newest_seam->n_double_pairs()};
+  return choose_cut_strategy(
+    the_scene.solver, size_of(present_model->discretization), size);
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::expect_single_states()
+{
+  has_single_states = true;
+}
+
+
+
+template <int dim>
+std::optional<CutStages>
+CutBody<dim>::stages() const
+{
+  if (has_single_states || cut_strategy().kind != CutStrategy::condensed)
+    return {};
+  CutStages stages;
+  stages.n_rows             = newest_seam->rows().size();
+  stages.interface_unknowns = newest_seam->coupled_indices(
+    present_model->discretization.dof_handler.n_dofs());
+  // Where a piece comes loose constraints change by more than a row, and a
+  // criterion may look at states beside those of the cut.
+  stages.are_known    = severed.all_held() && !the_scene.yield.needs_seam();
+  stages.without_ties = [this] {
+    auto constraints = constraints_without_seam();
+    constraints.close();
+    return constraints;
+  };
+  stages.after = [this](const unsigned int n_split) {
+    return constraints(newest_seam->states_after(n_split, split_state()));
+  };
+  return stages;
+}
+
+
+
+template <int dim>
+std::shared_ptr<TangentSolver>
+CutBody<dim>::solver_under(Constraints &&constraints)
+{
+  const auto of_cut = stages();
+  return selection.solver(
+    *present_model,
+    std::make_shared<const Constraints>(std::move(constraints)),
+    of_cut ? &*of_cut : nullptr);
+}
+
+
+
+template <int dim>
+std::shared_ptr<TangentSolver>
+CutBody<dim>::solver()
+{
+  return solver_under(constraints());
+}
+
+
+
+template <int dim>
+std::shared_ptr<TangentSolver>
+CutBody<dim>::solver_without(const unsigned int row)
+{
+  const auto states = newest_seam->released(pair_states(), row);
+  if (severed.n_floating(*newest_seam, states) > severed.floating().size())
+    throw FloatingPieceError(
+      "Splitting row " + std::to_string(row + 1) +
+      " leaves a part that nothing holds, and there is no telling what energy "
+      "that releases. Hold it in subsection Support, or choose another "
+      "Yield/Criterion.");
+  return solver_under(constraints(states));
+}
+
+
+
+#define INSTANTIATE(dim)                                                      \
+  template CutBody<dim>::Constraints CutBody<dim>::constraints_without_seam() \
+    const;                                                                    \
+  template CutBody<dim>::Constraints CutBody<dim>::constraints(               \
+    const PairStates &) const;                                                \
+  template CutBody<dim>::Constraints CutBody<dim>::constraints() const;       \
+  template LA::Vector CutBody<dim>::opening() const;                          \
+  template Choice<SolverKind> CutBody<dim>::solver_choice() const;            \
+  template Choice<CutStrategy> CutBody<dim>::cut_strategy() const;            \
+  template void CutBody<dim>::expect_single_states();                         \
+  template std::optional<CutStages> CutBody<dim>::stages() const;             \
+  template std::shared_ptr<TangentSolver> CutBody<dim>::solver_under(         \
+    Constraints &&);                                                          \
+  template std::shared_ptr<TangentSolver> CutBody<dim>::solver();             \
+  template std::shared_ptr<TangentSolver> CutBody<dim>::solver_without(       \
+    const unsigned int);
+
+INSTANTIATE(2)
+INSTANTIATE(3)
+
+#undef INSTANTIATE
+} // namespace Setsudan
