@@ -2,6 +2,7 @@
 #include <setsudan/body/body_parameters.h>
 #include <setsudan/body/gmsh/gmsh_file.h>
 #include <setsudan/body/joints.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <limits>
 
@@ -87,8 +88,8 @@ BodyParameters<dim>::declare(ParameterHandler &handler)
                     "Meshing time",
                     "600",
                     Patterns::Double(0),
-                    "How long gmsh may take to read or mesh the file, greater "
-                    "than 0: then it is stopped [s].");
+                    "How long gmsh may take to mesh a .geo, greater than 0: "
+                    "then it is stopped [s].");
   Setsudan::declare(handler,
                     "Body",
                     "Open joints",
@@ -199,7 +200,7 @@ make_body(const Parameters &parameters, const BodyParameters<dim> &choice)
         return read_gmsh_file<dim>(parameters.path("Body", "File"),
                                    choice.meshing_time);
       }
-    catch (const std::runtime_error &error)
+    catch (const BodyFileError &error)
       {
         parameters.reject("Body",
                           "File",

@@ -34,7 +34,9 @@ report(const std::string &name,
     }
   catch (const ChildFailure &failure)
     {
-      if (failure.reason == ChildFailure::Reason::exit)
+      if (failure.reason == ChildFailure::Reason::exception)
+        std::cout << "error '" << failure.what() << "'" << std::endl;
+      else if (failure.reason == ChildFailure::Reason::exit)
         std::cout << "it has called exit()" << std::endl;
       else if (failure.reason == ChildFailure::Reason::time_limit)
         std::cout << "it has not ended" << std::endl;
@@ -44,10 +46,6 @@ report(const std::string &name,
   catch (const std::bad_alloc &)
     {
       std::cout << "no memory" << std::endl;
-    }
-  catch (const std::runtime_error &error)
-    {
-      std::cout << "error '" << error.what() << "'" << std::endl;
     }
 }
 

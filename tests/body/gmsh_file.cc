@@ -183,11 +183,12 @@ test_partitions()
   std::cout << "whole:";
   print_group_sizes(read_gmsh_file<3>("parts.geo"));
   for (const double version : {2.2, 4.1})
-    {
-      write_by_gmsh("parts.geo", "parts.msh", version, false, 3);
-      std::cout << version << " in three parts:";
-      print_group_sizes(read_gmsh_file<3>("parts.msh"));
-    }
+    for (const bool binary : {false, true})
+      {
+        write_by_gmsh("parts.geo", "parts.msh", version, binary, 3);
+        std::cout << version << " in three parts:";
+        print_group_sizes(read_gmsh_file<3>("parts.msh"));
+      }
 }
 
 

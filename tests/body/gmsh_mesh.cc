@@ -60,6 +60,35 @@ test_groups()
   const auto body = read_gmsh_file<3>(write_text("groups.msh", mesh.text()));
   print_groups(body);
   print_size("two groups", body);
+
+  // Groups can have parts of an entity.
+  mesh                   = two_cubes();
+  mesh.elements[1].group = 2;
+  mesh.elements.push_back({11, 3, 5, 1, {4, 3, 2, 1}});
+  mesh.elements.push_back({12, 3, 6, 1, {12, 9, 10, 11}});
+  print_groups(read_gmsh_file<3>(write_text("groups.msh", mesh.text())));
+}
+
+
+/** Groups of version 4.1 are those of the entities; where these are not listed
+ * there are none, and one that is turned round is the same. */
+void
+test_groups_of_version_4()
+{
+  const std::string entities =
+    "$Entities\n0 0 2 1\n5 0 0 0 1 1 0 2 9 -4 0\n6 0 0 0 1 1 0 1 8 0\n"
+    "1 0 0 0 1 1 1 1 -7 1 5\n$EndEntities\n";
+  const std::string elements =
+    "$Elements\n2 2 1 2\n2 5 3 1\n2 1 2 3 4\n3 1 5 1\n1 1 2 3 4 5 6 7 8\n"
+    "$EndElements\n";
+  const std::string nodes =
+    "$Nodes\n1 8 1 8\n3 1 0 8\n1\n2\n3\n4\n5\n6\n7\n8\n"
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n$EndNodes\n";
+  const std::string format = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+  print_groups(read_gmsh_file<3>(
+    write_text("groups.msh", format + entities + nodes + elements)));
+  print_groups(
+    read_gmsh_file<3>(write_text("groups.msh", format + nodes + elements)));
 }
 
 
@@ -172,6 +201,7 @@ main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
     test_groups();
+    test_groups_of_version_4();
     test_coincident();
     // Clockwise and counterclockwise, and with lines against each other.
     test_directions<2>(two_squares(), {1, 2, 5, 4}, {5, 6, 3, 2});

@@ -78,6 +78,15 @@ test_sections_of_version_4()
   refuse_text(replace(text, "6 7 8\n$", "6 7 8 9\n$"));
   refuse_text(replace(text, "0 1 1\n$", "0 1 1\n5\n$"));
   refuse_text(replace(text, "1 1 1 1", "0 0 1 1"));
+  // A volume in a group.
+  const std::string volume = "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 1 7 0\n";
+  for (const std::string &entities :
+       {volume.substr(0, volume.size() - 2) + "\n",
+        volume + "5\n",
+        replace(volume, "1 7 0", "1 7.5 0"),
+        replace(volume, "\n1 0", "\n2 0"),
+        replace(volume, "0 0 0 1", "0 0 1 0")})
+    refuse_text(replace(text, "$Nodes", entities + "$EndEntities\n$Nodes"));
 }
 
 
@@ -298,11 +307,6 @@ test_groups()
   refuse_mesh(two_cubes(), [](TextMesh &mesh) {
     mesh.nodes[99] = {{5., 5., 5.}};
     mesh.elements.push_back({3, 15, 5, 1, {99}});
-  });
-  refuse_mesh(two_cubes(), [](TextMesh &mesh) { mesh.elements[1].group = 2; });
-  refuse_mesh(two_cubes(), [](TextMesh &mesh) {
-    mesh.elements.push_back({3, 3, 5, 1, {1, 2, 3, 4}});
-    mesh.elements.push_back({4, 3, 6, 1, {9, 10, 11, 12}});
   });
 }
 

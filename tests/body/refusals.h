@@ -3,11 +3,11 @@
 #pragma once
 
 #include <setsudan/body/gmsh/gmsh_file.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <functional>
 #include <iostream>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include "gmsh_text.h"
@@ -24,7 +24,7 @@ refuse(const std::string &file_name,
       read_gmsh_file<dim>(file_name, time_limit);
       std::cout << "FAILED: accepted" << std::endl;
     }
-  catch (const std::runtime_error &error)
+  catch (const BodyFileError &error)
     {
       std::cout << error.what() << std::endl;
     }

@@ -13,6 +13,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/** A body's file cannot be used; the message says what is wrong with it. */
+class BodyFileError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /** A solve did not fulfil its equations; the message says which and why. */
 class SolverError : public std::runtime_error
 {

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <memory>
+#include <vector>
 
 #include <fcntl.h>
 #include <sched.h>
@@ -10,78 +11,46 @@
 
 namespace Setsudan
 {
-namespace
+bool
+confine_process()
 {
-/** Rules for calls of the system, which a filter is made of. */
-class Filter
-{
-public:
-  Filter()
-    : context(seccomp_init(SCMP_ACT_ALLOW), seccomp_release)
-    , is_complete(context != nullptr)
-  {
-  }
-
-  void
-  add(const std::uint32_t action, const int call)
-  {
-    is_complete =
-      is_complete && seccomp_rule_add(context.get(), action, call, 0) == 0;
-  }
-
-  /** A rule for calls with an argument of which the bits `mask` are `bits`. */
-  void
-  add(const std::uint32_t action,
-      const int call,
-      const unsigned int argument,
-      const scmp_datum_t mask,
-      const scmp_datum_t bits)
-  {
-    const scmp_arg_cmp condition = {argument, SCMP_CMP_MASKED_EQ, mask, bits};
+  const std::unique_ptr<void, decltype(&seccomp_release)> filter(
+    seccomp_init(SCMP_ACT_ALLOW), seccomp_release);
+  bool is_complete = filter != nullptr;
+  // A rule for calls of the system, which can have conditions.
+  const auto add = [&](const std::uint32_t action,
+                       const int call,
+                       const std::vector<scmp_arg_cmp> &conditions = {}) {
     is_complete =
       is_complete &&
-      seccomp_rule_add_array(context.get(), action, call, 1, &condition) == 0;
-  }
+      seccomp_rule_add_array(
+        filter.get(), action, call, conditions.size(), conditions.data()) == 0;
+  };
 
-  bool
-  load() const
-  {
-    return is_complete && seccomp_load(context.get()) == 0;
-  }
-
-private:
-  const std::unique_ptr<void, decltype(&seccomp_release)> context;
-  bool is_complete;
-};
-
-void
-deny_commands(Filter &filter)
-{
-  for (const int call :
-       {SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(fork), SCMP_SYS(vfork)})
-    filter.add(SCMP_ACT_KILL_PROCESS, call);
   // gmsh says nothing where directories cannot be made, and tries for long to
   // reach a server.
-  for (const int call : {SCMP_SYS(mkdir),
+  for (const int call : {SCMP_SYS(execve),
+                         SCMP_SYS(execveat),
+                         SCMP_SYS(fork),
+                         SCMP_SYS(vfork),
+                         SCMP_SYS(mkdir),
                          SCMP_SYS(mkdirat),
                          SCMP_SYS(socket),
                          SCMP_SYS(socketpair),
                          SCMP_SYS(connect)})
-    filter.add(SCMP_ACT_KILL_PROCESS, call);
+    add(SCMP_ACT_KILL_PROCESS, call);
   // Threads are made by the same call as processes. The arguments of clone3 are
   // out of the filter's sight; without it, the C library takes clone.
-  filter.add(SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), 0, CLONE_THREAD, 0);
-  filter.add(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
-}
+  add(SCMP_ACT_KILL_PROCESS,
+      SCMP_SYS(clone),
+      {{0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0}});
+  add(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
 
-void
-deny_changes(Filter &filter)
-{
   const std::uint32_t refuse = SCMP_ACT_ERRNO(EROFS);
-  for (const int flag : {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC})
+  for (const scmp_datum_t flag : {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC})
     {
-      filter.add(refuse, SCMP_SYS(open), 1, flag, flag);
-      filter.add(refuse, SCMP_SYS(openat), 2, flag, flag);
+      add(refuse, SCMP_SYS(open), {{1, SCMP_CMP_MASKED_EQ, flag, flag}});
+      add(refuse, SCMP_SYS(openat), {{2, SCMP_CMP_MASKED_EQ, flag, flag}});
     }
   for (const int call :
        {SCMP_SYS(creat),    SCMP_SYS(openat2),   SCMP_SYS(truncate),
@@ -92,17 +61,7 @@ deny_changes(Filter &filter)
         SCMP_SYS(chmod),    SCMP_SYS(fchmodat),  SCMP_SYS(chown),
         SCMP_SYS(lchown),   SCMP_SYS(fchownat),  SCMP_SYS(utimensat),
         SCMP_SYS(setxattr), SCMP_SYS(ptrace),    SCMP_SYS(io_uring_setup)})
-    filter.add(refuse, call);
-}
-} // namespace
-
-
-bool
-confine_process()
-{
-  Filter filter;
-  deny_commands(filter);
-  deny_changes(filter);
-  return filter.load();
+    add(refuse, call);
+  return is_complete && seccomp_load(filter.get()) == 0;
 }
 } // namespace Setsudan

@@ -1,249 +1,173 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <setsudan/body/gmsh/gmsh_numbers.h>
 #include <setsudan/body/gmsh/gmsh_sections.h>
+#include <setsudan/parameters/exceptions.h>
+#include <setsudan/parameters/text_lines.h>
 
-#include <algorithm>
-#include <iterator>
-#include <stdexcept>
+#include <sstream>
 
 namespace Setsudan
 {
 namespace
 {
-/** The number of nodes of gmsh's types of elements of first and second order.
- */
-unsigned int
-n_nodes_of_type(const int type)
+/** The next '$' that begins a line, or npos. */
+std::size_t
+find_marker(const std::string &text, std::size_t position)
 {
-  constexpr unsigned int n_nodes[] = {0, 2,  3,  4,  4,  8, 6, 5,  3,  6,
-                                      9, 10, 27, 18, 14, 1, 8, 20, 15, 13};
-  if (type < 1 || type >= int(std::size(n_nodes)))
-    throw std::runtime_error("there are elements of gmsh's type " +
-                             std::to_string(type) +
-                             ", which are not of first or second order, or the "
-                             "counts in the section $Elements are wrong");
-  return n_nodes[type];
+  position = text.find('$', position);
+  while (position != std::string::npos && position > 0 &&
+         text[position - 1] != '\n')
+    position = text.find('$', position + 1);
+  return position;
 }
 
-/** `numbers` must be sorted; mostly they have no gaps. */
-bool
-contains(const std::vector<unsigned int> &numbers, const std::size_t number)
+std::string
+word_at(const std::string &text, const std::size_t position)
 {
-  if (numbers.empty() || number < numbers.front())
-    return false;
-  const std::size_t guess = number - numbers.front();
-  return (guess < numbers.size() && numbers[guess] == number) ||
-         std::binary_search(numbers.begin(), numbers.end(), number);
+  const std::size_t end = text.find_first_of(" \t\r\n", position);
+  return text.substr(position, end - position);
 }
 
+/** Refuse a file that does not begin as a mesh. */
 void
-check_count(const GmshNumbers &numbers,
-            const std::string &what,
-            const std::size_t announced,
-            const std::size_t found)
+check_beginning(const TextFile &file)
 {
-  if (found != announced)
-    numbers.throw_damaged("announces " + std::to_string(announced) + " " +
-                          what + " and lists " + std::to_string(found));
+  const std::string first = "$MeshFormat";
+  const std::string word  = word_at(file.text, 0);
+  if (word != first)
+    throw BodyFileError(
+      "the file is no mesh of gmsh: it does not begin with " + first +
+      (word == "\xEF\xBB\xBF" + first
+         ? " but with a byte order mark; save it as UTF-8 without that"
+         : ""));
 }
 
-/** Sort numbers, and refuse repeated ones, as gmsh leaves out what has them,
- * and 0, which gmsh does not count from. */
+/** Refuse sections that are not there as a mesh needs them. */
 void
-sort_unique(std::vector<unsigned int> &numbers, const std::string &what)
+check_sections(const std::vector<GmshSection> &sections)
 {
-  std::sort(numbers.begin(), numbers.end());
-  if (!numbers.empty() && numbers.front() == 0)
-    throw std::runtime_error("the file has " + what +
-                             " 0, and gmsh counts from 1; number the " + what +
-                             "s anew");
-  const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
-  if (twice != numbers.end())
-    throw std::runtime_error("the file lists " + what + " " +
-                             std::to_string(*twice) + " twice");
+  const auto find_all = [&](const std::string &name) {
+    std::vector<const GmshSection *> found;
+    for (const auto &section : sections)
+      if (section.name == name)
+        found.push_back(&section);
+    return found;
+  };
+  const auto place = [](const GmshSection &section) {
+    return section.place(-1 - std::ptrdiff_t(section.name.size()));
+  };
+  for (const std::string name : {"MeshFormat",
+                                 "PhysicalNames",
+                                 "Entities",
+                                 "PartitionedEntities",
+                                 "Nodes",
+                                 "Elements"})
+    if (const auto found = find_all(name); found.size() > 1)
+      throw BodyFileError(
+        "the file has more than one section $" + name + " (" +
+        place(*found[0]) + ", " + place(*found[1]) +
+        "), of which gmsh takes one; make one mesh of it by gmsh, which can "
+        "merge files");
+  for (const std::string name : {"Nodes", "Elements"})
+    if (find_all(name).empty())
+      throw BodyFileError("the file is not complete: it has no section $" +
+                          name);
+  if (find_all("Elements").front() < find_all("Nodes").front())
+    throw BodyFileError("the file's section $Elements stands before $Nodes, "
+                        "and gmsh reads them in their order; put $Nodes first");
 }
 
-std::vector<unsigned int>
-check_nodes_2(GmshNumbers numbers)
+/** What may be wrong with a word that is no number, at its first character that
+ * is in none. */
+std::string
+describe_slip(const std::string_view &word)
 {
-  std::vector<unsigned int> nodes;
-  const std::size_t n_nodes = numbers.read_number_of_text();
-  for (std::size_t i = 0; i < n_nodes; ++i)
-    {
-      nodes.push_back(numbers.read_number());
-      numbers.skip_reals(3);
-    }
-  numbers.expect_end();
-  return nodes;
+  const std::size_t slip = word.find_first_not_of("+-.0123456789eE");
+  if (slip == std::string_view::npos)
+    return "";
+  if (word[slip] == ',')
+    return "; decimals stand behind a point";
+  if (slip > 0 && (word[slip] == 'D' || word[slip] == 'd'))
+    return "; exponents stand behind an E";
+  if (is_foreign(word[slip]))
+    return "; there is " + describe_character(std::string(word), slip);
+  return "";
 }
-
-std::vector<unsigned int>
-check_nodes_4(GmshNumbers numbers)
-{
-  const std::size_t n_blocks = numbers.read_number();
-  const std::size_t n_nodes  = numbers.read_number();
-  const std::size_t smallest = numbers.read_number();
-  const std::size_t largest  = numbers.read_number();
-  std::vector<unsigned int> nodes;
-  for (std::size_t block = 0; block < n_blocks; ++block)
-    {
-      const int dimension = numbers.read_integer();
-      numbers.read_integer(); // the entity
-      const bool is_parametric     = numbers.read_integer() != 0;
-      const std::size_t n_in_block = numbers.read_number();
-      if (dimension < 0 || dimension > 3)
-        numbers.throw_damaged("names an entity of dimension " +
-                              std::to_string(dimension));
-      for (std::size_t i = 0; i < n_in_block; ++i)
-        {
-          nodes.push_back(numbers.read_number());
-          if (nodes.back() < smallest || nodes.back() > largest)
-            numbers.throw_damaged("has a node " + std::to_string(nodes.back()) +
-                                  ", but announces nodes from " +
-                                  std::to_string(smallest) + " to " +
-                                  std::to_string(largest));
-        }
-      numbers.skip_reals(n_in_block * (is_parametric ? 3 + dimension : 3));
-    }
-  check_count(numbers, "nodes", n_nodes, nodes.size());
-  numbers.expect_end();
-  return nodes;
-}
-
-/** Walks through elements. */
-class Elements
-{
-public:
-  Elements(const GmshNumbers &numbers, const std::vector<unsigned int> &nodes)
-    : numbers(numbers)
-    , nodes(nodes)
-  {
-  }
-
-  /** One by one: number, type, number of tags, tags, nodes. */
-  void
-  check_2_text()
-  {
-    const std::size_t n_elements = numbers.read_number_of_text();
-    for (std::size_t i = 0; i < n_elements; ++i)
-      {
-        const std::size_t element = numbers.read_number();
-        const int type            = numbers.read_integer();
-        skip_tags(numbers.read_number());
-        check_nodes(element, type);
-      }
-  }
-
-  /** Blocks: type, number of elements, number of tags, and for each element
-   * number, tags, nodes. */
-  void
-  check_2_binary()
-  {
-    const std::size_t n_elements = numbers.read_number_of_text();
-    while (element_numbers.size() < n_elements)
-      {
-        const int type               = numbers.read_integer();
-        const std::size_t n_in_block = numbers.read_number();
-        const std::size_t n_tags     = numbers.read_number();
-        if (n_in_block == 0)
-          numbers.throw_damaged("has a block of no elements");
-        for (std::size_t i = 0; i < n_in_block; ++i)
-          {
-            const std::size_t element = numbers.read_number();
-            skip_tags(n_tags);
-            check_nodes(element, type);
-          }
-      }
-    check_count(numbers, "elements", n_elements, element_numbers.size());
-  }
-
-  /** Blocks: dimension and number of the entity, type, number of elements, and
-   * for each element number, nodes. */
-  void
-  check_4()
-  {
-    const std::size_t n_blocks   = numbers.read_number();
-    const std::size_t n_elements = numbers.read_number();
-    numbers.read_number(); // the smallest number
-    numbers.read_number(); // the largest number
-    for (std::size_t block = 0; block < n_blocks; ++block)
-      {
-        skip_tags(2);
-        const int type               = numbers.read_integer();
-        const std::size_t n_in_block = numbers.read_number();
-        for (std::size_t i = 0; i < n_in_block; ++i)
-          check_nodes(numbers.read_number(), type);
-      }
-    check_count(numbers, "elements", n_elements, element_numbers.size());
-  }
-
-  /** gmsh's types of what has been checked. */
-  std::set<int>
-  finish()
-  {
-    numbers.expect_end();
-    sort_unique(element_numbers, "element");
-    return types;
-  }
-
-private:
-  void
-  skip_tags(const std::size_t n_tags)
-  {
-    for (std::size_t tag = 0; tag < n_tags; ++tag)
-      numbers.read_integer();
-  }
-
-  void
-  check_nodes(const std::size_t element, const int type)
-  {
-    element_numbers.push_back(element);
-    types.insert(type);
-    for (unsigned int i = n_nodes_of_type(type); i > 0; --i)
-      {
-        const std::size_t node = numbers.read_number();
-        if (!contains(nodes, node))
-          throw std::runtime_error("element " + std::to_string(element) +
-                                   " has the node " + std::to_string(node) +
-                                   ", which does not exist");
-      }
-  }
-
-  GmshNumbers numbers;
-  const std::vector<unsigned int> &nodes;
-  std::vector<unsigned int> element_numbers;
-  std::set<int> types;
-};
 } // namespace
 
 
-std::vector<unsigned int>
-check_nodes_section(const std::string &version,
-                    const GmshSection &section,
-                    const bool is_binary)
+std::string
+GmshSection::place(const std::ptrdiff_t position) const
 {
-  auto nodes = version == "4.1" ? check_nodes_4({section, is_binary, 8})
-                                : check_nodes_2({section, is_binary, 4});
-  sort_unique(nodes, "node");
-  return nodes;
+  return file->place(content.data() + position);
 }
 
 
 
-std::set<int>
-check_elements_section(const std::string &version,
-                       const GmshSection &section,
-                       const bool is_binary,
-                       const std::vector<unsigned int> &nodes)
+void
+GmshSection::throw_damaged(const std::string &how) const
 {
-  const unsigned int n_bytes = version == "4.1" ? 8 : 4;
-  Elements elements({section, is_binary, n_bytes}, nodes);
-  if (version == "4.1")
-    elements.check_4();
-  else if (is_binary)
-    elements.check_2_binary();
-  else
-    elements.check_2_text();
-  return elements.finish();
+  throw BodyFileError("the file is damaged: its section $" + name + " " + how);
+}
+
+
+
+void
+GmshSection::throw_no_number(const std::string_view &word,
+                             const std::string &kind) const
+{
+  throw_damaged("has '" + std::string(word) + "' where a " + kind +
+                " number must be (" + file->place(word.data()) + ")" +
+                describe_slip(word));
+}
+
+
+
+std::vector<GmshSection>
+split_sections(const TextFile &file)
+{
+  check_beginning(file);
+  const std::string &text = file.text;
+  std::vector<GmshSection> sections;
+  std::size_t position = 0;
+  while (position != std::string::npos)
+    {
+      const std::string name = word_at(text, position + 1);
+      if (name.substr(0, 3) == "End")
+        throw BodyFileError("the file is damaged: its $" + name + " has no $" +
+                            name.substr(3));
+      const std::size_t begin = position + 1 + name.size();
+      // Binary sections can hold any bytes.
+      const std::size_t end = text.find("$End" + name, begin);
+      if (end == std::string::npos)
+        throw BodyFileError("the file is truncated: its section $" + name +
+                            " has no $End" + name);
+      sections.push_back(
+        {name, std::string_view(text).substr(begin, end - begin), &file});
+      position = find_marker(text, end + name.size());
+    }
+  check_sections(sections);
+  return sections;
+}
+
+
+
+GmshFormat
+parse_format(const GmshSection &section)
+{
+  std::istringstream text{std::string(section.content)};
+  std::string version;
+  int file_type = -1, size = 0, one = 1;
+  text >> version >> file_type >> size;
+  if (version != "2.2" && version != "4.1")
+    throw BodyFileError("the file is a mesh of version " + version +
+                        " of gmsh's format, and can be of 2.2 and 4.1");
+  if (file_type == 1)
+    text.ignore(text.str().size(), '\n')
+      .read(reinterpret_cast<char *>(&one), sizeof(one));
+  if (!text || (file_type != 0 && file_type != 1) || size != 8 || one != 1)
+    throw BodyFileError(
+      "the file is damaged or from another kind of computer: its section "
+      "$MeshFormat must name numbers of 8 bytes, in this computer's order");
+  return {version == "4.1", file_type == 1};
 }
 } // namespace Setsudan

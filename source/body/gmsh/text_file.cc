@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/body/gmsh/text_file.h>
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/parameters/text_lines.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <filesystem>
+#include <fstream>
 
 namespace Setsudan
 {
@@ -58,6 +60,26 @@ TextFile::place(const char *const at) const
 
 
 
+TextFile
+read_text_file(const std::string &file_name)
+{
+  namespace fs = std::filesystem;
+  if (!fs::exists(file_name))
+    throw BodyFileError("the file does not exist");
+  std::ifstream file(file_name, std::ios::binary);
+  if (!fs::is_regular_file(file_name) || !file)
+    throw BodyFileError("the file cannot be read");
+  std::string text(fs::file_size(file_name), '\0');
+  file.read(text.data(), text.size());
+  if (!file)
+    throw BodyFileError("the file cannot be read");
+  if (text.empty())
+    throw BodyFileError("the file is empty");
+  return {file_name, std::move(text)};
+}
+
+
+
 bool
 is_foreign(const char character)
 {
@@ -73,12 +95,12 @@ check_encoding(const TextFile &file)
   // Without its mark, UTF-16 has every other byte 0 where it is ASCII.
   if (begins_with(text, "\xFF\xFE") || begins_with(text, "\xFE\xFF") ||
       text.substr(0, 2).find('\0') != std::string_view::npos)
-    throw std::runtime_error("the file is text in UTF-16; save it as UTF-8, "
-                             "without a byte order mark");
+    throw BodyFileError("the file is text in UTF-16; save it as UTF-8, "
+                        "without a byte order mark");
   if (text.find('\n') == std::string_view::npos &&
       text.find('\r') != std::string_view::npos)
-    throw std::runtime_error("the file's lines end with carriage returns only; "
-                             "save it with the line ends of Unix or Windows");
+    throw BodyFileError("the file's lines end with carriage returns only; "
+                        "save it with the line ends of Unix or Windows");
 }
 
 
@@ -94,14 +116,14 @@ check_characters_of_geometry(const TextFile &file)
       const std::size_t end         = end_of_quotation(text, position);
       const std::size_t lone_return = text.substr(0, end).find('\r', position);
       if (lone_return < end && text.substr(lone_return, 2) != "\r\n")
-        throw std::runtime_error(
+        throw BodyFileError(
           "a comment or string goes on behind a carriage return, which ends no "
           "line for gmsh (" +
           file.place(&text[lone_return]) +
           "); save the file with the line ends of Unix or Windows");
       if (end == position && is_foreign(text[position]))
-        throw std::runtime_error(file.place(&text[position]) + ": there is " +
-                                 describe_character(file.text, position));
+        throw BodyFileError(file.place(&text[position]) + ": there is " +
+                            describe_character(file.text, position));
       position = std::max(end, position + 1);
     }
 }

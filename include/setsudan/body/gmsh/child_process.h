@@ -7,18 +7,23 @@
 
 namespace Setsudan
 {
-/** A child process has ended without a result. */
+/** A child process has ended without a result. The message tells why where that
+ * was an exception. */
 class ChildFailure : public std::runtime_error
 {
 public:
   enum class Reason
   {
+    exception,
     exit,
     signal,
     time_limit
   };
 
-  ChildFailure(const Reason reason, const int signal_number = 0);
+  explicit ChildFailure(
+    const Reason reason,
+    const int signal_number    = 0,
+    const std::string &message = "a child process has ended without a result");
 
   const Reason reason;
   /** Where a signal has ended it. */
@@ -31,8 +36,10 @@ public:
  * its parent. It must not use MPI.
  *
  * @param time_limit in seconds.
- * @throw ChildFailure where the child ends before the work has.
- * @throw std::runtime_error, std::bad_alloc where the work does.
+ * @throw ChildFailure where the child ends before the work has, or the work
+ * throws anything but std::bad_alloc.
+ * @throw std::bad_alloc where the work does.
+ * @throw std::runtime_error where no child can be started.
  */
 std::string
 run_in_child(const std::function<std::string()> &work, const double time_limit);

@@ -9,33 +9,22 @@
 
 namespace Setsudan
 {
-// Whether the elements of a file make up a body that can be computed. All
-// functions throw std::runtime_error with a sentence that names elements and
-// nodes by the numbers of the file.
-
-/** No middle node is outside of the middle half of its line, and no element is
- * flat or turned inside out. */
-template <int dim>
-void
-check_shapes(const Body<dim> &body,
-             const std::vector<std::size_t> &element_numbers);
-
-/** A face belongs to one element, or to two on different sides of it. */
-template <int dim>
-void
-check_faces(const Body<dim> &body,
-            const FaceIndex<dim> &faces,
-            const std::vector<std::size_t> &element_numbers);
-
-/** Elements that share a line share its middle node, and that is no node of
- * other lines: otherwise the elements would come apart there under load.
+/**
+ * Check that the elements of a file make up a body that can be computed: no
+ * middle node is outside of the middle half of its line, and no element flat or
+ * turned inside out; a face belongs to one element, or to two on different
+ * sides of it; elements that share a line share its middle node, and that is no
+ * node of other lines, where the elements would come apart under load.
  *
- * @param vertex_numbers the numbers of the vertices, ascending. */
+ * @param vertex_numbers  the numbers of the vertices, ascending.
+ * @param element_numbers the file's.
+ * @throw BodyFileError that names elements and nodes by the file's numbers.
+ */
 template <int dim>
 void
-check_lines(const Body<dim> &body,
-            const std::vector<CellLine> &lines,
-            const std::vector<unsigned int> &vertex_numbers,
-            const std::vector<std::size_t> &element_numbers);
-
+check_body(const Body<dim> &body,
+           const FaceIndex<dim> &faces,
+           const std::vector<CellLine> &lines,
+           const std::vector<unsigned int> &vertex_numbers,
+           const std::vector<unsigned int> &element_numbers);
 } // namespace Setsudan

@@ -20,9 +20,9 @@ namespace Setsudan
  * the middle nodes that 8-node elements do not have get numbers behind the
  * largest of the file. Physical groups become the body's groups.
  *
- * @param time_limit of gmsh, in seconds.
- * @throw std::runtime_error with a sentence that says what is wrong with the
- * file and where.
+ * @param time_limit of gmsh for a geometry, in seconds.
+ * @throw BodyFileError with a sentence that says what is wrong with the file
+ * and where.
  */
 template <int dim>
 Body<dim>

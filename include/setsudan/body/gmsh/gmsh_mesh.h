@@ -3,62 +3,90 @@
 
 #include <deal.II/base/point.h>
 
-#include <setsudan/body/gmsh/gmsh_outline.h>
-#include <setsudan/body/group.h>
-#include <setsudan/mesh/nodes.h>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
-#include <array>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Setsudan
 {
-/** A mesh as gmsh hands it out: in the numbers of the file. */
-template <int dim>
+/** A type of gmsh's elements. */
+struct GmshType
+{
+  const char *name;
+  unsigned int dimension, n_nodes, n_corners;
+};
+
+/** The type that has a number.
+ *
+ * @throw BodyFileError where it is not of first or second order; `or_else` says
+ * what else can be wrong. */
+const GmshType &
+gmsh_type(const int number, const std::string &or_else = "");
+
+/** A mesh as its file lists it, or as gmsh makes it of a geometry. */
 struct GmshMesh
 {
-  /** The numbers of an element's nodes, in the order of nodes.h. */
-  using NodeNumbers = std::array<unsigned int, n_element_nodes<dim>>;
+  struct Node
+  {
+    unsigned int number;
+    dealii::Point<3> position;
 
-  /** The nodes, ascending, and where they are. */
-  std::vector<unsigned int> node_numbers;
-  std::vector<dealii::Point<3>> node_positions;
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &number &position;
+    }
+  };
 
-  /** Whether elements have middle nodes. Without, the numbers of middle nodes
-   * are `invalid_unsigned_int`. */
-  bool is_quadratic;
+  /** Elements of one type in one geometrical entity and the same groups. */
+  struct Block
+  {
+    /** One that gmsh_type() knows. */
+    int type;
+    int entity;
+    /** The numbers of the physical groups; negative where it turns round. */
+    std::vector<int> groups;
+    std::vector<unsigned int> numbers;
+    /** Of one element behind the other, in gmsh's order. */
+    std::vector<unsigned int> nodes;
 
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &type &entity &groups &numbers &nodes;
+    }
+  };
+
+  bool is_of_geometry = false;
   /** Ascending. */
-  std::vector<std::size_t> element_numbers;
-  std::vector<NodeNumbers> elements;
+  std::vector<Node> nodes;
+  /** None of them is without elements. */
+  std::vector<Block> blocks;
+  /** The names of physical groups, which can be empty, by dimension and number:
+   * all that have one, and all that entities name. */
+  std::map<std::pair<unsigned int, int>, std::string> group_names;
 
-  /** As in the body, but entities name numbers of nodes. */
-  std::vector<Group> groups;
+  /** Make the nodes ascend. */
+  void
+  sort_nodes();
+
+  /** The node of a number, or nothing. */
+  const Node *
+  find_node(const std::size_t number) const;
 
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &node_numbers &node_positions &is_quadratic &element_numbers
-      &elements &groups;
+    archive &is_of_geometry &nodes &blocks &group_names;
   }
-
-  /** Where a node is. */
-  const dealii::Point<3> &
-  position(const unsigned int node_number) const;
 };
-
-/**
- * Let gmsh read a mesh, or mesh a geometry. A geometry is a program; so a child
- * process does it, which can neither run commands nor write files.
- *
- * @param time_limit in seconds.
- * @throw std::runtime_error where gmsh refuses the file, crashes or does not
- * end, elements are not of one kind that can be used, or numbers are too large.
- */
-template <int dim>
-GmshMesh<dim>
-load_gmsh_mesh(const std::string &file_name,
-               const GmshOutline &outline,
-               const double time_limit);
 } // namespace Setsudan

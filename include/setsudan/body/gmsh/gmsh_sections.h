@@ -1,40 +1,53 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/body/gmsh/gmsh_numbers.h>
+#include <setsudan/body/gmsh/text_file.h>
 
-#include <set>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace Setsudan
 {
-// gmsh 4.8 trusts the counts and numbers in a mesh file: where they are wrong,
-// it crashes, takes a node for another, or leaves out what is behind. These
-// functions walk through a section as gmsh will, and throw std::runtime_error
-// where it must not.
+/** A part of a mesh file, from `$Name` to `$EndName`. */
+struct GmshSection
+{
+  std::string name;
+  /** All between the two, a part of the file's text. */
+  std::string_view content;
+  const TextFile *file;
+
+  /** Where something is in its content, for messages. */
+  std::string
+  place(const std::ptrdiff_t position) const;
+
+  [[noreturn]] void
+  throw_damaged(const std::string &how) const;
+
+  /** @param kind of the number that must be where the word is. */
+  [[noreturn]] void
+  throw_no_number(const std::string_view &word, const std::string &kind) const;
+};
+
+/** How a mesh file writes its numbers. */
+struct GmshFormat
+{
+  /** Version 4.1, and 2.2 otherwise. */
+  bool is_version_4;
+  bool is_binary;
+};
 
 /**
- * Check a section $Nodes: it is complete, and its nodes' numbers are within
- * gmsh's range and, in version 4.1, within the one that it announces.
+ * The sections of a mesh file, which must live on.
  *
- * @return the numbers, ascending.
+ * @throw BodyFileError where one has no end, lacks though every mesh has it, or
+ * stands there twice or in a place where gmsh would not read it.
  */
-std::vector<unsigned int>
-check_nodes_section(const std::string &version,
-                    const GmshSection &section,
-                    const bool is_binary);
+std::vector<GmshSection>
+split_sections(const TextFile &file);
 
-/**
- * Check a section $Elements: it is complete, its elements are of first or
- * second order, and all numbers are within gmsh's range.
- *
- * @param nodes the numbers that elements may name, ascending.
- * @return gmsh's types of all elements.
- */
-std::set<int>
-check_elements_section(const std::string &version,
-                       const GmshSection &section,
-                       const bool is_binary,
-                       const std::vector<unsigned int> &nodes);
+/** @throw BodyFileError where it is none that can be read. */
+GmshFormat
+parse_format(const GmshSection &section);
 } // namespace Setsudan
