@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs that are stopped, whatever by: their files are whole, and resumed they end
-with the same files, to the last digit, as a run that nothing has stopped.
+with the files of a run that nothing has stopped, up to the solvers' tolerance.
 
 usage: resume.py GROUP PROGRAM [PROCESSES MPIEXEC]
 """
