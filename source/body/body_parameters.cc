@@ -49,9 +49,12 @@ refuse_open_joints(const Parameters &parameters, const Body<dim> &body)
 } // namespace
 
 
+namespace
+{
+/** The parameters of a box. */
 template <int dim>
 void
-BodyParameters<dim>::declare(ParameterHandler &handler)
+declare_box(ParameterHandler &handler)
 {
   Setsudan::declare(handler,
                     "Body",
@@ -73,6 +76,15 @@ BodyParameters<dim>::declare(ParameterHandler &handler)
                     Patterns::List(Patterns::Integer(1), dim, dim),
                     "Number of elements along each axis of the box: the "
                     "paper's nx, ny and nz, each at least 1.");
+}
+} // namespace
+
+
+template <int dim>
+void
+BodyParameters<dim>::declare(ParameterHandler &handler)
+{
+  declare_box<dim>(handler);
   Setsudan::declare(handler,
                     "Body",
                     "File",

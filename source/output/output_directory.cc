@@ -19,8 +19,11 @@ namespace Setsudan
 using namespace dealii;
 namespace fs = std::filesystem;
 
+namespace
+{
+/** What says where and when frames are written. */
 void
-OutputParameters::declare(ParameterHandler &handler)
+declare_frames(ParameterHandler &handler)
 {
   Setsudan::declare(handler,
                     "Output",
@@ -50,6 +53,14 @@ OutputParameters::declare(ParameterHandler &handler)
                     "cuts added up. Where the blade stands still, times grow "
                     "by a millionth of the body's size, since no two frames "
                     "can have the same.");
+}
+} // namespace
+
+
+void
+OutputParameters::declare(ParameterHandler &handler)
+{
+  declare_frames(handler);
   Setsudan::declare(handler,
                     "Output",
                     "Node tables",

@@ -53,6 +53,47 @@ sum_of_magnitudes(const LA::Vector &vector)
     sum += std::abs(component);
   return sum;
 }
+
+/** The balance of a state.
+ *
+ * @param blade the blade's forces.
+ * @throw InvariantError where forces or moments do not cancel. */
+template <int dim>
+BodyBalance<dim>
+checked_balance(const CutBody<dim> &body,
+                const State<dim> &state,
+                const std::vector<PointForce<dim>> &blade)
+{
+  // A solve that leaves more to round-off is accepted, and warned of.
+  const double tolerance = std::max(
+    {1e-8, 100 * body.scene().solver.tolerance, 10 * state.quality.residual});
+  const auto is_balanced = [&](const Balance &balance) {
+    return balance.force_residual <= tolerance &&
+           balance.moment_residual <= tolerance;
+  };
+  const double wedge         = forces_of_wedge(body, state);
+  const auto balanced_beside = [&](const double cancelling) {
+    return check_balance(
+      body.model(), state.internal, state.forces, blade, cancelling);
+  };
+  auto balance = balanced_beside(wedge);
+  if (!is_balanced(balance))
+    balance =
+      balanced_beside(wedge + sum_of_magnitudes(resistance(body, state)));
+  if (!is_balanced(balance))
+    {
+      std::ostringstream message;
+      message << "The forces on the body are not in balance: the relative "
+                 "residuals of force and moment are "
+              << balance.force_residual << " and " << balance.moment_residual
+              << " and must not exceed " << tolerance
+              << ". Lower Solver/Tolerance or set Solver/Method = direct; if "
+                 "that does not help, round-off has taken the digits, since "
+                 "the body is too slender or its stiffness too uneven.";
+      throw InvariantError(message.str());
+    }
+  return balance;
+}
 } // namespace
 
 
@@ -86,40 +127,13 @@ evaluate_state(const CutBody<dim> &body,
   event.max_shear        = extremes.max_shear;
   event.max_displacement = extremes.max_displacement;
 
-  // A solve that leaves more to round-off is accepted, and warned of.
-  const double tolerance = std::max(
-    {1e-8, 100 * body.scene().solver.tolerance, 10 * state.quality.residual});
-  const auto is_balanced = [&](const Balance &balance) {
-    return balance.force_residual <= tolerance &&
-           balance.moment_residual <= tolerance;
-  };
-  const double wedge         = forces_of_wedge(body, state);
-  const auto balanced_beside = [&](const double cancelling) {
-    return check_balance(
-      body.model(), state.internal, state.forces, forces, cancelling);
-  };
-  auto balance = balanced_beside(wedge);
-  if (!is_balanced(balance))
-    balance =
-      balanced_beside(wedge + sum_of_magnitudes(resistance(body, state)));
+  const auto balance    = checked_balance(body, state, forces);
   event.force_residual  = balance.force_residual;
   event.moment_residual = balance.moment_residual;
   for (unsigned int d = 0; d < dim; ++d)
     {
       event.reaction[d]    = balance.reaction[d];
       event.clamp_force[d] = balance.clamp_force[d];
-    }
-  if (!is_balanced(balance))
-    {
-      std::ostringstream message;
-      message << "The forces on the body are not in balance: the relative "
-                 "residuals of force and moment are "
-              << balance.force_residual << " and " << balance.moment_residual
-              << " and must not exceed " << tolerance
-              << ". Lower Solver/Tolerance or set Solver/Method = direct; if "
-                 "that does not help, round-off has taken the digits, since "
-                 "the body is too slender or its stiffness too uneven.";
-      throw InvariantError(message.str());
     }
   const auto overlap =
     find_wall_overlap(body.walls(), state.displacement, body.communicator());

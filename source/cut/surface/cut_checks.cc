@@ -47,6 +47,39 @@ check_surface(const Parameters &parameters,
 
 
 
+namespace
+{
+/** A node of a cut, as the blade meets it. */
+struct CutNode
+{
+  double travel;
+  double position;
+  bool held;
+};
+
+template <int dim>
+std::vector<CutNode>
+nodes_of_cut(const Body<dim> &body,
+             const Supports<dim> &supports,
+             const Cut<dim> &cut)
+{
+  std::vector<CutNode> nodes;
+  for (const auto &face : cut.surface.faces)
+    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
+      if (node_is_on_face<dim>(node, face.plus.second))
+        {
+          const auto point = body.mesh.node_position(face.plus.first, node);
+          nodes.push_back(
+            {cut.edge.travel(point),
+             cut.edge.position(point),
+             supports.at(face.plus.first, unit_point_of_node<dim>(node))
+               .components.all()});
+        }
+  return nodes;
+}
+} // namespace
+
+
 template <int dim>
 void
 check_blade(const Parameters &parameters,
@@ -65,34 +98,18 @@ check_blade(const Parameters &parameters,
       cut.text + "' is " + short_text(std::ceil(100 * off - 1e-4) / 100) +
       " degrees off");
 
-  struct Node
-  {
-    double travel;
-    double position;
-    bool held;
-  };
-  std::vector<Node> nodes;
-  for (const auto &face : cut.surface.faces)
-    for (unsigned int node = 0; node < n_element_nodes<dim>; ++node)
-      if (node_is_on_face<dim>(node, face.plus.second))
-        {
-          const auto point = body.mesh.node_position(face.plus.first, node);
-          nodes.push_back(
-            {cut.edge.travel(point),
-             cut.edge.position(point),
-             supports.at(face.plus.first, unit_point_of_node<dim>(node))
-               .components.all()});
-        }
+  const auto nodes       = nodes_of_cut(body, supports, cut);
   const double tolerance = 1e-8 * body.mesh.extent();
   const auto by          = [](const auto member) {
-    return
-      [member](const Node &a, const Node &b) { return a.*member < b.*member; };
+    return [member](const CutNode &a, const CutNode &b) {
+      return a.*member < b.*member;
+    };
   };
   const double entry =
-    std::min_element(nodes.begin(), nodes.end(), by(&Node::travel))->travel;
+    std::min_element(nodes.begin(), nodes.end(), by(&CutNode::travel))->travel;
   parameters.require(std::any_of(nodes.begin(),
                                  nodes.end(),
-                                 [&](const Node &node) {
+                                 [&](const CutNode &node) {
                                    return node.travel <= entry + tolerance &&
                                           !node.held;
                                  }),
@@ -104,7 +121,7 @@ check_blade(const Parameters &parameters,
   if (!cut.edge.is_planar)
     return;
   const auto ends =
-    std::minmax_element(nodes.begin(), nodes.end(), by(&Node::position));
+    std::minmax_element(nodes.begin(), nodes.end(), by(&CutNode::position));
   for (const auto &load : cut.edge_loads)
     parameters.require(load.position >= ends.first->position - tolerance &&
                          load.position <= ends.second->position + tolerance,

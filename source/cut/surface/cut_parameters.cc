@@ -120,6 +120,42 @@ is_same(const CutSurface<dim> &a, const CutSurface<dim> &b)
   };
   return sorted(a) == sorted(b);
 }
+
+
+
+/** The surface of an item, as far as its extent goes. */
+template <int dim>
+ChosenSurface<dim>
+choose_surface(const Parameters &parameters,
+               const Body<dim> &body,
+               const SurfaceItem<dim> &item,
+               const Tensor<1, dim> &direction,
+               const Extent<dim> &extent)
+{
+  ChosenSurface<dim> surface;
+  try
+    {
+      surface = item.choice->choose(body);
+    }
+  catch (const CutError &error)
+    {
+      parameters.reject("Cut",
+                        "Surfaces",
+                        "surfaces inside the body, and '" + item.text +
+                          "' is none: " + error.what());
+    }
+  // The depth is measured as the blade travels in the whole surface.
+  const BladeEdge<dim> whole(areas_of_faces(body, surface.faces), direction);
+  const bool was_empty = surface.faces.empty();
+  surface.faces = limit_surface(body, surface.faces, extent, whole.direction);
+  parameters.require(was_empty || !surface.faces.empty(),
+                     "Cut",
+                     "Extent",
+                     "parts of the surfaces, and this one holds the center "
+                     "of no element face of '" +
+                       item.text + "'");
+  return surface;
+}
 } // namespace
 
 
@@ -155,30 +191,8 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
   for (unsigned int c = 0; c < items.size(); ++c)
     {
       const auto &direction = for_cut(blade.directions, c);
-      ChosenSurface<dim> surface;
-      try
-        {
-          surface = items[c].choice->choose(body);
-        }
-      catch (const CutError &error)
-        {
-          parameters.reject("Cut",
-                            "Surfaces",
-                            "surfaces inside the body, and '" + items[c].text +
-                              "' is none: " + error.what());
-        }
-      // The depth is measured as the blade travels in the whole surface.
-      const BladeEdge<dim> whole(areas_of_faces(body, surface.faces),
-                                 direction);
-      const bool was_empty = surface.faces.empty();
-      surface.faces        = limit_surface(
-        body, surface.faces, for_cut(extents, c), whole.direction);
-      parameters.require(was_empty || !surface.faces.empty(),
-                         "Cut",
-                         "Extent",
-                         "parts of the surfaces, and this one holds the center "
-                         "of no element face of '" +
-                           items[c].text + "'");
+      const auto surface    = choose_surface(
+        parameters, body, items[c], direction, for_cut(extents, c));
       check_surface(parameters, body, items[c].text, surface.faces);
       cuts.push_back(
         {items[c].text,
