@@ -26,6 +26,7 @@
 #include "small_elasticity.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 /** Constrain an elastic body of FE_Q(2) to the serendipity space. */
 template <int dim>

@@ -21,6 +21,7 @@
 #include "small_elasticity.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 template <int dim>
 double

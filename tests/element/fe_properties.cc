@@ -18,6 +18,7 @@
 #include "../test_setup.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 /** Faces on which a function is non-zero although has_support_on_face() says
  * no, or zero although it says yes. */

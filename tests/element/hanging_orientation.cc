@@ -24,6 +24,7 @@
 #include "../test_setup.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 class Quadratic : public Function<3>
 {

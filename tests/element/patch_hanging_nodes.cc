@@ -25,6 +25,7 @@
 #include "small_elasticity.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 template <int dim>
 using Mesh = parallel::distributed::Triangulation<dim>;

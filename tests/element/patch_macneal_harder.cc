@@ -25,6 +25,7 @@
 #include "small_elasticity.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 /** The inner cube, and a cell between each of its faces and the outer cube. */
 void

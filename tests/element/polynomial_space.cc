@@ -16,6 +16,7 @@
 #include "../test_setup.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 template <int dim>
 double

@@ -18,6 +18,7 @@
 #include "../test_setup.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 /** The function with these nodal @p values at @p p. */
 template <int dim>

@@ -20,6 +20,7 @@
 #include "../test_setup.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 /** The published function whose node is @p node, at @p p; both are given on
  * the unit cell. */

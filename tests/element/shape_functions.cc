@@ -15,6 +15,7 @@
 #include "../test_setup.h"
 
 using namespace Setsudan;
+using namespace dealii;
 
 template <int dim>
 std::vector<Point<dim>>

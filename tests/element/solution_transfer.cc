@@ -28,6 +28,7 @@
 #include "exact_displacements.h"
 
 using namespace Setsudan;
+using namespace dealii;
 using VectorType = TrilinosWrappers::MPI::Vector;
 
 /** Flag what to refine or to coarsen, as @p flag says, and move the
