@@ -5,6 +5,7 @@
 #include <setsudan/material/constitutive_law.h>
 #include <setsudan/parameters/parameters.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 

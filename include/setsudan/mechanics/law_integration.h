@@ -6,6 +6,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <vector>
+
 namespace Setsudan
 {
 /** Integrates the forces, the tangent and the energy of one cell after another

@@ -7,6 +7,7 @@
 #include <setsudan/simulation/record/checkpoint_schedule.h>
 #include <setsudan/simulation/record/results_writer.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 

@@ -5,6 +5,8 @@
 #include <setsudan/solver/linear/linear_solver.h>
 #include <setsudan/solver/solver_choice.h>
 
+#include <memory>
+
 namespace Setsudan
 {
 /** A tangent solver with the assembled matrix, which any number of loads are

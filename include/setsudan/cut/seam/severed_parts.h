@@ -4,6 +4,7 @@
 #include <setsudan/cut/seam/seam.h>
 #include <setsudan/mechanics/pieces/piece_motions.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 

@@ -6,6 +6,7 @@
 #include <Epetra_LinearProblem.h>
 
 #include <memory>
+#include <vector>
 
 class Amesos_Mumps;
 
