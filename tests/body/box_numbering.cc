@@ -115,10 +115,10 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    for (const std::string &n_elements :
+    for (const char *n_elements :
          {"1, 1, 1", "1, 2, 1", "2, 1, 1", "1, 1, 2", "2, 3, 4", "4, 2, 3"})
       test<3>(n_elements);
-    for (const std::string n_elements : {"1, 1", "3, 2", "2, 5"})
+    for (const char *n_elements : {"1, 1", "3, 2", "2, 5"})
       test<2>(n_elements);
   });
 }
