@@ -237,6 +237,12 @@ main(int argc, char **argv)
   if (command_line.verbose && speaks)
     std::cout << describe_blas() << std::endl;
 
+  // Where all processes stop at the same error or state.
+  const auto fail_together = [&](const std::exception &error) {
+    if (speaks)
+      say_error(error.what());
+    return failure;
+  };
   try
     {
       const auto entries = collect_entries(command_line);
@@ -245,18 +251,13 @@ main(int argc, char **argv)
       else
         run<3>(command_line, entries, communicator);
     }
-  // All processes read the same scene, and stop at the same error or state.
   catch (const SceneError &error)
     {
-      if (speaks)
-        say_error(error.what());
-      return failure;
+      return fail_together(error);
     }
   catch (const RunInterrupted &error)
     {
-      if (speaks)
-        say_error(error.what());
-      return failure;
+      return fail_together(error);
     }
   catch (const std::exception &error)
     {

@@ -37,6 +37,14 @@ is_first_process()
   return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 }
 
+/** Print a line, by the first process. */
+inline void
+say(const std::string &line)
+{
+  if (is_first_process())
+    std::cout << line << std::endl;
+}
+
 /** Print `name`, and whether `error` is below `tolerance`; the value itself is
  * printed only where it is not, so that round-off does not matter. */
 inline void

@@ -21,7 +21,6 @@
 #include <iostream>
 #include <string>
 
-#include "../../tests/mechanics/assembled_kind.h"
 #include "../../tests/mechanics/small_model.h"
 #include "message_count.h"
 
@@ -84,7 +83,7 @@ make_solver(const std::string &method, Problem &problem)
     model,
     model.supports,
     problem.solver,
-    assembled_kind(problem.solver, model.discretization));
+    choose_assembled(problem.solver, size_of(model.discretization)));
 }
 
 

@@ -119,7 +119,7 @@ for_each_cell(
        model.discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        laws.reinit(cell, u);
+        laws.reinit(cell, u, false);
         use(laws, cell);
       }
 }
@@ -171,7 +171,7 @@ assemble_tangent(const ElasticModel<dim> &model,
   assemble_matrix<dim>(
     model.discretization,
     [&](const auto &cell) -> const FullMatrix<double> & {
-      laws.reinit(cell, u);
+      laws.reinit(cell, u, true);
       return laws.tangent;
     },
     constraints,

@@ -28,47 +28,66 @@ LawIntegration<dim>::LawIntegration(const Discretization<dim> &discretization,
 
 template <int dim>
 void
-LawIntegration<dim>::reinit(const Cell &cell, const LA::Vector &displacement)
+LawIntegration<dim>::reinit(const Cell &cell,
+                            const LA::Vector &displacement,
+                            const bool needs_tangent)
 {
-  const auto &fe       = discretization.fe;
-  const unsigned int n = fe.n_dofs_per_cell();
   const ConstitutiveLaw &law =
     *materials.of_element(discretization.element(cell)).law;
   fe_values.reinit(cell);
   fe_values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement,
                                                                   gradients);
-  forces  = 0;
-  tangent = 0;
-  energy  = 0;
+  forces               = 0;
+  tangent              = 0;
+  energy               = 0;
+  const unsigned int c = cell->active_cell_index();
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
       Tensor<2, 3> gradient;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
           gradient[i][j] = gradients[q][i][j];
-      const unsigned int c = cell->active_cell_index();
       const auto response =
         law.evaluate(gradient, internal.before(c, q), internal.after(c, q));
       energy += response.energy * fe_values.JxW(q);
-      for (unsigned int a = 0; a < n; ++a)
-        {
-          const unsigned int i  = fe.system_to_component_index(a).first;
-          const auto &grad_of_a = fe_values.shape_grad(a, q);
-          Tensor<2, 3> of_a;
-          for (unsigned int j = 0; j < dim; ++j)
-            {
-              forces(a) +=
-                response.stress[i][j] * grad_of_a[j] * fe_values.JxW(q);
-              of_a += grad_of_a[j] * fe_values.JxW(q) * response.tangent[i][j];
-            }
-          for (unsigned int b = 0; b < n; ++b)
-            {
-              const unsigned int k  = fe.system_to_component_index(b).first;
-              const auto &grad_of_b = fe_values.shape_grad(b, q);
-              for (unsigned int l = 0; l < dim; ++l)
-                tangent(a, b) += of_a[k][l] * grad_of_b[l];
-            }
-        }
+      add_forces(q, response.stress);
+      if (needs_tangent)
+        add_tangent(q, response.tangent);
+    }
+}
+
+
+
+template <int dim>
+void
+LawIntegration<dim>::add_forces(const unsigned int q,
+                                const Tensor<2, 3> &stress)
+{
+  for (unsigned int a = 0; a < forces.size(); ++a)
+    for (unsigned int j = 0; j < dim; ++j)
+      forces(a) +=
+        stress[discretization.fe.system_to_component_index(a).first][j] *
+        fe_values.shape_grad(a, q)[j] * fe_values.JxW(q);
+}
+
+
+
+template <int dim>
+void
+LawIntegration<dim>::add_tangent(const unsigned int q,
+                                 const Tensor<4, 3> &of_law)
+{
+  const auto &fe = discretization.fe;
+  for (unsigned int a = 0; a < forces.size(); ++a)
+    {
+      const unsigned int i = fe.system_to_component_index(a).first;
+      Tensor<2, 3> of_a;
+      for (unsigned int j = 0; j < dim; ++j)
+        of_a += fe_values.shape_grad(a, q)[j] * fe_values.JxW(q) * of_law[i][j];
+      for (unsigned int b = 0; b < forces.size(); ++b)
+        for (unsigned int l = 0; l < dim; ++l)
+          tangent(a, b) += of_a[fe.system_to_component_index(b).first][l] *
+                           fe_values.shape_grad(b, q)[l];
     }
 }
 

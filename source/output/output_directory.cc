@@ -2,6 +2,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/output/output_directory.h>
+#include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -318,8 +319,8 @@ OutputDirectory::remove(const std::string &name) const
   std::error_code error;
   fs::remove(fs::path(path) / name, error);
   if (error)
-    throw std::runtime_error("The file '" + (fs::path(path) / name).string() +
-                             "' cannot be removed: " + error.message() + ".");
+    throw OutputError("The file '" + (fs::path(path) / name).string() +
+                      "' cannot be removed: " + error.message() + ".");
 }
 
 
@@ -367,8 +368,8 @@ OutputDirectory::write_file(
     {
       std::error_code ignored;
       fs::remove(temporary, ignored);
-      throw std::runtime_error("The file '" + (fs::path(path) / name).string() +
-                               "' cannot be written: " + error.what() + ".");
+      throw OutputError("The file '" + (fs::path(path) / name).string() +
+                        "' cannot be written: " + error.what() + ".");
     }
 }
 } // namespace Setsudan

@@ -88,7 +88,7 @@ CutBody<dim>::begin_cut(const Cut<dim> &cut)
     return false;
   selection.forget();
   if (newest_seam)
-    finished_walls = walls();
+    finished_pairs.push_back(newest_seam->pairs());
   split_mesh_to_come = split_mesh(present_mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
@@ -124,10 +124,10 @@ are_same_nodes(const std::vector<NodePair<dim>> &a,
 
 
 template <int dim>
-LA::Vector
-CutBody<dim>::split_nodes(const LA::Vector &displacement)
+std::unique_ptr<ElasticModel<dim>>
+CutBody<dim>::make_surgery()
 {
-  const auto uncut    = std::move(present_model);
+  auto uncut          = std::move(present_model);
   present_mesh        = std::move(split_mesh_to_come);
   element_labels.side = find_sides(present_mesh, begun_cuts.back().surface);
   rebuild();
@@ -138,9 +138,8 @@ CutBody<dim>::split_nodes(const LA::Vector &displacement)
     surfaces.push_back(begun.surface);
   const auto nodes = collect_surface_nodes(
     *present_model, surfaces, the_scene.body, present_mesh);
-  for (unsigned int c = 0; c < finished_walls.size(); ++c)
-    finished_walls[c] = {nodes[c].pairs,
-                         PairStates(nodes[c].pairs.size(), PairState::free)};
+  for (unsigned int c = 0; c < finished_pairs.size(); ++c)
+    finished_pairs[c] = nodes[c].pairs;
   newest_seam = std::make_unique<Seam<dim>>(
     nodes.back().pairs,
     are_same_nodes(newest_seam->pairs(), nodes.back().pairs)
@@ -149,6 +148,25 @@ CutBody<dim>::split_nodes(const LA::Vector &displacement)
   severed.set_mesh(present_mesh,
                    find_pieces(present_mesh, element_labels.piece),
                    the_scene.supports);
+  return uncut;
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::split_nodes()
+{
+  make_surgery();
+}
+
+
+
+template <int dim>
+LA::Vector
+CutBody<dim>::split_nodes(const LA::Vector &displacement)
+{
+  const auto uncut = make_surgery();
   return transfer(uncut->discretization,
                   uncut->discretization.with_ghosts(displacement),
                   present_model->discretization);
@@ -224,7 +242,9 @@ template <int dim>
 std::vector<CutWall<dim>>
 CutBody<dim>::walls() const
 {
-  auto all = finished_walls;
+  std::vector<CutWall<dim>> all;
+  for (const auto &pairs : finished_pairs)
+    all.push_back({pairs, PairStates(pairs.size(), PairState::free)});
   if (newest_seam)
     all.push_back({newest_seam->pairs(), pair_states()});
   return all;

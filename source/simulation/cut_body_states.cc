@@ -104,12 +104,14 @@ CutBody<dim>::stages() const
   if (has_single_states || cut_strategy().kind != CutStrategy::condensed)
     return {};
   CutStages stages;
-  stages.n_rows             = newest_seam->rows().size();
-  stages.interface_unknowns = newest_seam->coupled_indices(
-    present_model->discretization.dof_handler.n_dofs());
+  stages.n_rows = newest_seam->rows().size();
   // Where a piece comes loose constraints change by more than a row, and a
   // criterion may look at states beside those of the cut.
-  stages.are_known    = severed.all_held() && !the_scene.yield.needs_seam();
+  stages.are_known = severed.all_held() && !the_scene.yield.needs_seam();
+  stages.interface_unknowns = [this] {
+    return newest_seam->coupled_indices(
+      present_model->discretization.dof_handler.n_dofs());
+  };
   stages.without_ties = [this] {
     auto constraints = constraints_without_seam();
     constraints.close();
@@ -125,13 +127,11 @@ CutBody<dim>::stages() const
 
 template <int dim>
 std::shared_ptr<TangentSolver>
-CutBody<dim>::solver_under(Constraints &&constraints)
+CutBody<dim>::solver(std::shared_ptr<const Constraints> constraints)
 {
   const auto of_cut = stages();
   return selection.solver(
-    *present_model,
-    std::make_shared<const Constraints>(std::move(constraints)),
-    of_cut ? &*of_cut : nullptr);
+    *present_model, std::move(constraints), of_cut ? &*of_cut : nullptr);
 }
 
 
@@ -140,7 +140,7 @@ template <int dim>
 std::shared_ptr<TangentSolver>
 CutBody<dim>::solver()
 {
-  return solver_under(constraints());
+  return solver(std::make_shared<const Constraints>(constraints()));
 }
 
 
@@ -156,7 +156,7 @@ CutBody<dim>::solver_without(const unsigned int row)
       " leaves a part that nothing holds, and there is no telling what energy "
       "that releases. Hold it in subsection Support, or choose another "
       "Yield/Criterion.");
-  return solver_under(constraints(states));
+  return solver(std::make_shared<const Constraints>(constraints(states)));
 }
 
 
@@ -172,8 +172,8 @@ CutBody<dim>::solver_without(const unsigned int row)
   template Choice<CutStrategy> CutBody<dim>::cut_strategy() const;            \
   template void CutBody<dim>::expect_single_states();                         \
   template std::optional<CutStages> CutBody<dim>::stages() const;             \
-  template std::shared_ptr<TangentSolver> CutBody<dim>::solver_under(         \
-    Constraints &&);                                                          \
+  template std::shared_ptr<TangentSolver> CutBody<dim>::solver(               \
+    std::shared_ptr<const Constraints>);                                      \
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver();             \
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver_without(       \
     const unsigned int);

@@ -76,11 +76,12 @@ solve_state(CutBody<dim> &body,
     std::make_shared<const AffineConstraints<double>>(body.constraints()),
     state.forces,
     lift_of(body, state)};
-  set_solution(body.model(),
-               body.model().is_linear()
-                 ? solve_linear(problem, *body.solver(), guess)
-                 : solve_newton(problem, body.scene().solver, guess),
-               state);
+  set_solution(
+    body.model(),
+    body.model().is_linear()
+      ? solve_linear(problem, *body.solver(problem.constraints), guess)
+      : solve_newton(problem, body.scene().solver, guess),
+    state);
   return state;
 }
 

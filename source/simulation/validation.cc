@@ -173,7 +173,7 @@ make_cut(const Scene<dim> &scene,
   lines.push_back(
     describe_cut(body, cut) + " It opens " +
     counted(scene.cut.cuts[cut].surface.faces.size(), "element face") + ".");
-  body.split_nodes(body.model().discretization.zero_vector());
+  body.split_nodes();
   const unsigned int n_before = body.n_pieces();
   for (unsigned int row = 0; row < body.seam().rows().size(); ++row)
     {

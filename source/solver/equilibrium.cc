@@ -12,17 +12,6 @@ namespace
 {
 // More steps than a law with a smooth tangent ever needs.
 constexpr unsigned int most_newton_steps = 20;
-
-/** The solver of the tangent, which is assembled. */
-template <int dim>
-SolverKind
-tangent_solver_kind(const ElasticModel<dim> &model,
-                    const SolverParameters &parameters)
-{
-  SystemSize size   = size_of(model.discretization);
-  size.element_type = ElementType::linear;
-  return choose_solver(parameters, size).kind;
-}
 } // namespace
 
 
@@ -46,7 +35,8 @@ solve_newton(const EquilibriumProblem<dim> &problem,
   const auto &model       = problem.model;
   const auto &constraints = *problem.constraints;
   const LA::Vector zero   = model.discretization.zero_vector();
-  const SolverKind kind   = tangent_solver_kind(model, parameters);
+  const SolverKind kind =
+    choose_assembled(parameters, size_of(model.discretization));
   Solution solution;
   LA::Vector &u = solution.displacement;
   // What is prescribed, and from there on what the constraints allow.
@@ -65,12 +55,10 @@ solve_newton(const EquilibriumProblem<dim> &problem,
       const double scale =
         std::max(problem.forces.l2_norm(), solution.internal.l2_norm());
       solution.quality.residual = scale > 0 ? norm / scale : 0;
-      // A step more than the tolerance asks for: the last one is quadratic.
       if (norm <= parameters.tolerance * scale)
         return solution;
-      SolveQuality quality;
       u += AssembledSolver<dim>(model, constraints, parameters, kind, &u)
-             .increment(residual, zero, quality);
+             .increment(residual, zero, solution.quality);
     }
   std::ostringstream message;
   message << "Newton's method left a relative residual of "

@@ -44,18 +44,26 @@ size_of(const Discretization<dim> &discretization)
 
 
 
+SolverKind
+choose_assembled(const SolverParameters &parameters, const SystemSize &size)
+{
+  return parameters.is_direct(size.n_unknowns)
+           ? direct_kind(size)
+           : SolverKind::algebraic_multigrid;
+}
+
+
+
 Choice<SolverKind>
 choose_solver(const SolverParameters &parameters, const SystemSize &size)
 {
-  using Method          = SolverParameters::Method;
   const bool is_direct  = parameters.is_direct(size.n_unknowns);
-  const SolverKind kind = is_direct ? direct_kind(size)
-                          : size.element_type == ElementType::linear
-                            ? SolverKind::algebraic_multigrid
+  const SolverKind kind = is_direct || size.element_type == ElementType::linear
+                            ? choose_assembled(parameters, size)
                             : SolverKind::matrix_free;
   return {
     kind,
-    parameters.method != Method::automatic
+    parameters.method != SolverParameters::Method::automatic
       ? "as Solver/Method says"
       : std::string("chosen because the unknowns ") +
           (is_direct ? "do not exceed " : "exceed ") +

@@ -38,7 +38,8 @@ SHEET = {**BAR, "Dimension": "2", "Body/Size": "4, 1", "Body/Elements": "4, 1",
 STILL = {"strain_energy": 0, "reaction_x": 0, "reaction_y": 0, "reaction_z": 0}
 SIZES = ("1e-6", "1", "1e6")
 KINDS = ("linear", "serendipity", "quadratic")
-WAYS = ("every row anew", "condensed")
+WAYS = ({"Division/Solve": "every row anew"}, {"Division/Solve": "condensed"},
+        {"Solver/Method": "iterative"})
 
 
 def moved(name, displacements, largest, **more):
@@ -109,7 +110,7 @@ CASES = [
           event("divide", max_displacement=0.1, strain_energy=0), pieces(4, 4)),
     parted("a bar", BAR),
     parted("a sheet", SHEET),
-    *(parted(f"a bar, {way}", BAR, **{"Division/Solve": way}) for way in WAYS),
+    *(parted(f"a bar, {', '.join(way.values())}", BAR, **way) for way in WAYS),
     *(parted(f"a bar of elements that are {kind}", BAR, **{"Body/Element type": kind})
       for kind in KINDS),
     parted("a bar that falls", BAR, **{"Support/Loose pieces": "drop"}),

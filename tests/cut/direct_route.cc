@@ -187,7 +187,7 @@ compare(const Case &c)
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
   body.begin_cut(scene.cut.cuts[0]);
-  body.split_nodes(body.model().discretization.zero_vector());
+  body.split_nodes();
   const unsigned int n_rows = body.seam().rows().size();
   std::cout << c.surface << " along " << c.direction << ": " << n_rows
             << " rows" << std::endl;

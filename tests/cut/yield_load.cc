@@ -90,6 +90,6 @@ main(int argc, char **argv)
     std::cout << "yields() below, at, above: " << yields(0.4, 0.5)
               << yields(0.5, 0.5) << yields(0.6, 0.5) << ", without need "
               << yields(0, 0) << std::endl;
-    std::cout << "required: " << required_stress(2, 0.25) << std::endl;
+    std::cout << "required: " << requirement(2, 0.25) << std::endl;
   });
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../mechanics/assembled_kind.h"
 #include "../mechanics/small_model.h"
 #include "../parameters/check.h"
 #include "../test_setup.h"
@@ -125,7 +124,7 @@ test_bar()
       model,
       model.supports,
       SolverParameters(parameters),
-      assembled_kind(SolverParameters(parameters), discretization))
+      choose_assembled(SolverParameters(parameters), size_of(discretization)))
       .solve(model.loads, zero, zero)
       .displacement);
 

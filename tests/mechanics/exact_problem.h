@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "../body/small_body.h"
-#include "assembled_kind.h"
 
 namespace Setsudan
 {
@@ -108,7 +107,7 @@ private:
         model,
         constraints,
         SolverParameters(parameters),
-        assembled_kind(SolverParameters(parameters), discretization))
+        choose_assembled(SolverParameters(parameters), size_of(discretization)))
         .solve(model.loads, prescribed, prescribed)
         .displacement);
   }

@@ -5,7 +5,6 @@
 
 #include <setsudan/solver/assembled_solver.h>
 
-#include "assembled_kind.h"
 #include "small_model.h"
 
 namespace Setsudan
@@ -61,7 +60,7 @@ private:
              model,
              constraints,
              solver_parameters,
-             assembled_kind(solver_parameters, model.discretization))
+             choose_assembled(solver_parameters, size_of(model.discretization)))
       .solve(model.loads, model.lift, model.discretization.zero_vector())
       .displacement;
   }

@@ -6,12 +6,11 @@ usage: pieces.py PROGRAM
 """
 
 import math
-import re
-import struct
 import subprocess
 import sys
 
 from runs import BODIES, CASES, CROSSED, FAR, LINEAR, QUADRATIC, Run, cube, main, square
+from run_files import appended_arrays
 from tables import read
 
 # Types of cells: VTK's quadratic quadrilateral and hexahedron, gmsh's.
@@ -69,17 +68,14 @@ def is_mixed_up_by_meshio(path):
     """Whether meshio takes one array of a file for another: it gives arrays new
     offsets one after another, and looks for those to come by their old offsets, one
     of which may be a new one by chance."""
-    head, _, data = path.read_bytes().partition(b'<AppendedData encoding="raw">\n_')
-    old, new = [], []
-    length = 0
-    for begin in sorted(map(int, re.findall(rb'offset="(\d+)"', head))):
-        n_blocks, size, last = struct.unpack_from("3I", data, begin)
-        n_bytes = (n_blocks - 1) * size + (last or size) if n_blocks else 0
-        old.append(begin)
+    old, new, length = [], [], 0
+    for _, offset, content in sorted(appended_arrays(path.read_bytes()),
+                                     key=lambda array: array[1]):
+        old.append(offset)
         new.append(length)
-        length += (n_bytes + 4 + 2) // 3 * 4
-    return any(offset in new[:place] and old.index(offset) == place
-               for place, offset in enumerate(old))
+        # In base64, behind their number.
+        length += (len(content) + 4 + 2) // 3 * 4
+    return any(offset in new[:place] for place, offset in enumerate(old))
 
 
 def meshio_problems(run, path):

@@ -67,7 +67,7 @@ test(const std::vector<SceneEntry> &more)
   const Scene<dim> scene(Parameters("test", entries, Scene<dim>::declare));
   CutBody<dim> body(scene, MPI_COMM_WORLD);
   body.begin_cut(scene.cut.cuts[0]);
-  body.split_nodes(body.model().discretization.zero_vector());
+  body.split_nodes();
   body.release_row(0);
 
   const unsigned int row = 1;
@@ -139,11 +139,6 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    const bool speaks = is_first_process();
-    const auto say    = [&](const std::string &name) {
-      if (speaks)
-        std::cout << name << std::endl;
-    };
     say("2D");
     test<2>({});
     say("2D, refined near the cut");

@@ -114,11 +114,6 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    const bool speaks = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    const auto say    = [&](const std::string &name) {
-      if (speaks)
-        std::cout << name << std::endl;
-    };
     say("2D");
     test<2>({});
     say("3D");

@@ -33,7 +33,7 @@ divide(const std::string &body_force,
   try
     {
       body.begin_cut(scene.cut.cuts[0]);
-      body.split_nodes(body.model().discretization.zero_vector());
+      body.split_nodes();
       body.finish_cut();
       for (const auto &loose : body.floating_pieces())
         std::cout << "  piece " << loose.piece << " of " << body.n_pieces()
@@ -101,7 +101,7 @@ drop()
   const Scene<3> scene(parameters);
   CutBody<3> body(scene, MPI_COMM_WORLD);
   body.begin_cut(scene.cut.cuts[0]);
-  body.split_nodes(body.model().discretization.zero_vector());
+  body.split_nodes();
   body.finish_cut();
   const auto solve = [](CutBody<3> &body) {
     return solve_state(body,
@@ -136,7 +136,7 @@ drop()
   for (const auto &pair : body.seam().pairs())
     highest = std::max(highest, static_cast<unsigned int>(pair.position[2]));
   std::cout << ", up to height " << highest << std::endl;
-  body.split_nodes(body.model().discretization.zero_vector());
+  body.split_nodes();
   body.finish_cut();
   std::cout << "  " << body.n_pieces() << " pieces, the last cut "
             << (body.begin_cut(scene.cut.cuts[2]) ? "goes" : "does not go")

@@ -31,7 +31,7 @@ test(const bool is_tied)
   const Scene<dim> scene(parameters);
   CutBody<dim> body(scene, MPI_COMM_WORLD);
   body.begin_cut(scene.cut.cuts[0]);
-  body.split_nodes(body.model().discretization.zero_vector());
+  body.split_nodes();
   if (!is_tied)
     body.finish_cut();
   const auto &discretization = body.model().discretization;

@@ -19,8 +19,8 @@ template <int dim>
 std::string
 description(const SolvedModel<dim> &solved)
 {
-  return Setsudan::description(
-    assembled_kind(solved.solver_parameters, solved.model.discretization));
+  return Setsudan::description(choose_assembled(
+    solved.solver_parameters, size_of(solved.model.discretization)));
 }
 
 
@@ -69,7 +69,7 @@ test_many_loads(const std::string &n_elements, const std::string &method)
     model,
     model.supports,
     solved.solver_parameters,
-    assembled_kind(solved.solver_parameters, model.discretization));
+    choose_assembled(solved.solver_parameters, size_of(model.discretization)));
   LA::Vector twice = model.loads;
   twice *= 2;
   const LA::Vector first = solver.solve(twice, zero, zero).displacement;

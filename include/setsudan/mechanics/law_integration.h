@@ -27,9 +27,12 @@ public:
 
   /** Evaluate the laws in a cell.
    *
-   * @param displacement with ghosts. */
+   * @param displacement  with ghosts.
+   * @param needs_tangent whether `tangent` is set. */
   void
-  reinit(const Cell &cell, const LA::Vector &displacement);
+  reinit(const Cell &cell,
+         const LA::Vector &displacement,
+         const bool needs_tangent);
 
   // Of the present cell, in the order of its unknowns.
   dealii::Vector<double> forces;
@@ -37,6 +40,12 @@ public:
   double energy = 0;
 
 private:
+  /** Add what a point gives to the forces, or to the tangent. */
+  void
+  add_forces(const unsigned int point, const dealii::Tensor<2, 3> &stress);
+  void
+  add_tangent(const unsigned int point, const dealii::Tensor<4, 3> &of_law);
+
   const Discretization<dim> &discretization;
   const MaterialParameters<dim> &materials;
   InternalVariables<dim> &internal;

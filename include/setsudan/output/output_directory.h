@@ -102,7 +102,7 @@ public:
   /**
    * Write a file as a whole. Called by the process that has it.
    *
-   * @throw std::runtime_error where that is not possible, with the reason.
+   * @throw OutputError where that is not possible, with the reason.
    */
   void
   write(const std::string &name,

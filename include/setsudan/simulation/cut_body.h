@@ -9,7 +9,6 @@
 #include <setsudan/simulation/scene.h>
 #include <setsudan/solver/solver_selection.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -44,10 +43,12 @@ public:
   bool
   begin_cut(const Cut<dim> &cut);
 
-  /** Duplicate the newest cut's nodes; all its pairs are tied.
-   *
-   * @param displacement without ghosts.
-   * @return the displacement of the new nodes. */
+  /** Duplicate the newest cut's nodes; all its pairs are tied. */
+  void
+  split_nodes();
+
+  /** The same, and carry a displacement, without ghosts, over to the new nodes.
+   */
   LA::Vector
   split_nodes(const LA::Vector &displacement);
 
@@ -136,7 +137,8 @@ public:
   const RowArea &
   area_of_row(const unsigned int row) override;
 
-  /** The walls of all cuts, one for each, as far as they are split. */
+  /** The walls of all cuts, one for each, as far as they are split; valid until
+   * the next cut is begun or split. */
   std::vector<CutWall<dim>>
   walls() const;
 
@@ -191,10 +193,12 @@ public:
     present_model->internal.set(data);
   }
 
-  /** The solver of the present state. It may be the same object at the next
-   * call, for another state. */
+  /** The solver of the present state, or under the constraints of any. It may
+   * be the same object at the next call, for another state. */
   std::shared_ptr<TangentSolver>
   solver();
+  std::shared_ptr<TangentSolver>
+  solver(std::shared_ptr<const Constraints> constraints);
 
   std::shared_ptr<TangentSolver>
   solver_without(const unsigned int row) override;
@@ -221,6 +225,10 @@ private:
   void
   rebuild();
 
+  /** Duplicate the nodes; the model of the mesh before is returned. */
+  std::unique_ptr<ElasticModel<dim>>
+  make_surgery();
+
   /** Find the parts that float now, and hold or drop them. */
   void
   update_parts();
@@ -240,9 +248,6 @@ private:
   std::optional<CutStages>
   stages() const;
 
-  std::shared_ptr<TangentSolver>
-  solver_under(Constraints &&constraints);
-
   const Scene<dim> &the_scene;
   const MPI_Comm mpi_communicator;
   const Refinement the_refinement;
@@ -252,8 +257,8 @@ private:
   bool has_single_states = false;
 
   std::vector<BegunCut> begun_cuts;
-  /** Of the cuts before the newest one. */
-  std::vector<CutWall<dim>> finished_walls;
+  /** The pairs of the cuts before the newest one, which are free. */
+  std::vector<std::vector<NodePair<dim>>> finished_pairs;
   std::unique_ptr<Seam<dim>> newest_seam;
   unsigned int n_split_rows = 0;
   bool is_finished          = false;

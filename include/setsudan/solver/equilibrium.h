@@ -8,8 +8,6 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <memory>
-
-#include <memory>
 #include <string>
 
 namespace Setsudan
@@ -23,7 +21,7 @@ struct EquilibriumProblem
   /** Homogeneous and closed. */
   std::shared_ptr<const dealii::AffineConstraints<double>> constraints;
   /** External nodal forces, without ghosts, no constraint applied. */
-  LA::Vector forces;
+  const LA::Vector &forces;
   /** A displacement that has what is prescribed. */
   LA::Vector lift;
 };

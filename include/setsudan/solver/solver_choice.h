@@ -61,6 +61,10 @@ struct CutSize
 Choice<SolverKind>
 choose_solver(const SolverParameters &parameters, const SystemSize &size);
 
+/** The kind with an assembled matrix. */
+SolverKind
+choose_assembled(const SolverParameters &parameters, const SystemSize &size);
+
 /** The kind from where SolverKind::matrix_free has failed on. */
 SolverKind
 choose_fallback(const SystemSize &size);

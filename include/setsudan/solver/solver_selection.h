@@ -22,7 +22,7 @@ struct CutStages
 
   unsigned int n_rows = 0;
   /** The unknowns between which there are ties. */
-  dealii::IndexSet interface_unknowns;
+  std::function<dealii::IndexSet()> interface_unknowns;
   /** Whether the constraints of all states are known beforehand. */
   bool are_known = false;
   /** The closed constraints without the ties of this cut. */

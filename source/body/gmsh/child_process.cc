@@ -111,7 +111,8 @@ read_all(const int file)
   std::string text;
   std::array<char, 1 << 16> buffer;
   ssize_t n = 0;
-  while ((n = read(file, buffer.data(), buffer.size())) != 0)
+  while ((n = read(file, buffer.data(), buffer.size())) > 0 ||
+         (n < 0 && errno == EINTR))
     text.append(buffer.data(), std::max<ssize_t>(n, 0));
   return text;
 }

@@ -9,7 +9,10 @@ using namespace dealii;
 
 template <int dim>
 SeamCells<dim>::SeamCells(const ElasticModel<dim> &model, const Seam<dim> &seam)
-  : of_pairs(seam.pairs().size())
+  : evaluator(model.discretization,
+              model.materials,
+              node_points(model.discretization))
+  , of_pairs(seam.pairs().size())
 {
   const auto &discretization = model.discretization;
   // A node may be in several pairs, where an earlier cut ends at this one.

@@ -112,7 +112,7 @@ cutting_stress(const YieldParameters::Criterion criterion,
       if (ratio > largest || (ratio == largest && measure >= decisive.reached))
         {
           largest  = ratio;
-          decisive = {measure, required_stress(shear_limit, sharpness)};
+          decisive = {measure, requirement(shear_limit, sharpness)};
         }
     }
   // Of the processes with the largest ratio: they have the same material, or
@@ -127,9 +127,9 @@ cutting_stress(const YieldParameters::Criterion criterion,
 
 
 double
-required_stress(const double shear_limit, const double sharpness)
+requirement(const double limit, const double sharpness)
 {
-  return shear_limit * (1 - sharpness);
+  return limit * (1 - sharpness);
 }
 
 

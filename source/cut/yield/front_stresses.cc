@@ -34,8 +34,7 @@ stresses_at_nodes(const ElasticModel<dim> &model,
                   const RecoveredStress<dim> *recovered)
 {
   const auto &discretization = model.discretization;
-  StressEvaluator<dim> evaluator(
-    discretization, model.materials, node_points(discretization));
+  auto &evaluator            = cells.at_nodes();
   FrontStresses stresses;
   for (const auto &at : cells.at_front(row))
     {

@@ -15,7 +15,7 @@ public:
                   const double sharpness)
     : parameters(parameters)
     , sharpness(sharpness)
-    , smallest(required_stress(smallest_shear_limit, sharpness))
+    , smallest(requirement(smallest_shear_limit, sharpness))
   {
   }
 
@@ -92,8 +92,8 @@ class EnergyRelease : public YieldCriterion<dim>
 {
 public:
   EnergyRelease(const double smallest_toughness, const double sharpness)
-    : share(1 - sharpness)
-    , smallest(smallest_toughness * share)
+    : sharpness(sharpness)
+    , smallest(requirement(smallest_toughness, sharpness))
   {
   }
 
@@ -116,7 +116,7 @@ public:
         quadratic = by_load.displacement * by_load.internal;
       }
     const RowArea opened  = body.area_of_row(row);
-    const double required = opened.energy * share;
+    const double required = requirement(opened.energy, sharpness);
     return [=](const double factor) -> CuttingStress {
       // Behind the last nodes there is nothing to open.
       if (opened.area == 0)
@@ -170,8 +170,7 @@ private:
             internal_forces(model, released.displacement)};
   }
 
-  /** Of the toughness, that a blade of this sharpness needs. */
-  const double share;
+  const double sharpness;
   const double smallest;
 };
 } // namespace

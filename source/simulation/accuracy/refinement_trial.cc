@@ -78,7 +78,7 @@ template <int dim>
 bool
 RefinementTrial<dim>::open_up_to(const unsigned int row)
 {
-  body.split_nodes(body.model().discretization.zero_vector());
+  body.split_nodes();
   try
     {
       for (unsigned int before = 0; before < row; ++before)

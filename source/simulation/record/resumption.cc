@@ -108,7 +108,7 @@ repeat_surgeries(const Checkpoint &checkpoint, CutBody<dim> &body)
         divided ? body.seam().rows().size() : checkpoint.event.row;
       if (n_split == 0 && !scene.yield.needs_seam())
         continue;
-      body.split_nodes(body.model().discretization.zero_vector());
+      body.split_nodes();
       for (unsigned int row = 0; row < n_split; ++row)
         if (!body.is_left_out(row))
           body.release_row(row);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <setsudan/cut/seam/seam.h>
+#include <setsudan/mechanics/stress/stress_evaluator.h>
 
 #include <utility>
 #include <vector>
@@ -30,7 +31,16 @@ public:
   std::vector<AdjacentCell>
   at_front(const Row &row) const;
 
+  /** Evaluates stress at the nodes of a cell, to which it is set. */
+  StressEvaluator<dim> &
+  at_nodes() const
+  {
+    return evaluator;
+  }
+
 private:
+  /** Made once, since its tables of functions are the same for all rows. */
+  mutable StressEvaluator<dim> evaluator;
   std::vector<Cell> cells;
   /** For each pair the cells, by their places in the list, and their nodes. */
   std::vector<std::vector<std::pair<unsigned int, unsigned int>>> of_pairs;

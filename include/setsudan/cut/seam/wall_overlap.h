@@ -11,7 +11,7 @@ namespace Setsudan
 template <int dim>
 struct CutWall
 {
-  std::vector<NodePair<dim>> pairs;
+  const std::vector<NodePair<dim>> &pairs;
   PairStates states;
 };
 

@@ -51,10 +51,10 @@ cutting_stress(const YieldParameters::Criterion criterion,
                const double sharpness,
                const MPI_Comm communicator);
 
-/** The stress that yield requires: shear limit x (1 - sharpness), equation
- * 18. */
+/** What a blade requires of a limit that holds for sharpness 0, a shear limit
+ * or a toughness: limit x (1 - sharpness), equation 18. */
 double
-required_stress(const double shear_limit, const double sharpness);
+requirement(const double limit, const double sharpness);
 
 /** The stresses under a load: base + factor x per_load. */
 FrontStresses
