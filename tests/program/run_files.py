@@ -9,7 +9,7 @@ import re
 import struct
 import zlib
 
-TOLERANCE = 1e-7
+TOLERANCE = 1e-10
 # What a run may say anew each time: the time it took, what its solver left over, and
 # the date in a frame.
 NOT_COMPARED = ("seconds", "force_residual", "moment_residual")
@@ -88,19 +88,26 @@ def same_tables(path, other):
     return True
 
 
-def arrays_of(data):
-    """The arrays of a VTU file, and what else is in it."""
+def appended_arrays(data):
+    """The arrays of a VTU file, each with its type, its offset and its bytes."""
     head, _, appended = data.partition(b'<AppendedData encoding="raw">\n_')
-    arrays = []
     for match in ARRAY.finditer(head):
         kind, begin = match[1], int(match[2])
         n_blocks, = struct.unpack_from("I", appended, begin)
         sizes = struct.unpack_from(f"{n_blocks}I", appended, begin + 12)
-        begin += 12 + 4 * n_blocks
+        at = begin + 12 + 4 * n_blocks
         content = b""
         for size in sizes:
-            content += zlib.decompress(appended[begin:begin + size])
-            begin += size
+            content += zlib.decompress(appended[at:at + size])
+            at += size
+        yield kind, begin, content
+
+
+def arrays_of(data):
+    """The numbers of a VTU file, and what else is in it."""
+    head, _, _ = data.partition(b'<AppendedData encoding="raw">\n_')
+    arrays = []
+    for kind, _, content in appended_arrays(data):
         code, width = FORMATS[kind]
         arrays.append(struct.unpack(f"{len(content) // width}{code}", content))
     return re.sub(rb' offset="\d+"', b"", COMMENT.sub(b"", head)), arrays
