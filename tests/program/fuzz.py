@@ -6,20 +6,22 @@ Each try changes a scene of prm/ or tests/scenes, or the file of its body, and
 validates it; every third is run. A try is known by its number alone, so that one
 that fails can be repeated, and looked at, with --only and --keep.
 
-usage: fuzz.py PROGRAM [--tries N] [--first N] [--only N] [--keep DIRECTORY]
+usage: fuzz.py PROGRAM FORK_SERVER [--tries N] [--first N] [--only N] [--keep DIRECTORY]
 """
 
 import argparse
 import concurrent.futures
 import os
 import pathlib
+import queue
 import random
 import re
-import resource
+import signal
 import subprocess
 import sys
 import tempfile
 
+from fork_server import ForkServer
 from mutations import NUMBER, mutate
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -27,6 +29,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TIME_LIMIT = 60
 MEMORY_LIMIT = 6 << 30
 MOST_ELEMENTS = 100
+N_WORKERS = 2
 CASES = ["slit_of_double_nodes/scene.prm", "quarter_points/scene_near.prm",
          "partitioned_mesh/scene_22.prm", "partitioned_mesh/scene_cut.prm",
          "sparse_numbers/scene_serendipity.prm", "number_in_two_dimensions/scene.prm",
@@ -117,15 +120,13 @@ def make_case(scenes, number):
     return files, options
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
-
-
 def problem_of(status, message):
     """What is wrong with how a run has ended; None if nothing is."""
     lines = message.splitlines()
     if status == 0 and not lines:
         return None
+    if status == -signal.SIGXCPU:
+        return f"no end within {TIME_LIMIT} s of processor time"
     if status != 1:
         return f"exit status {status}"
     if len(lines) != 1:
@@ -135,36 +136,33 @@ def problem_of(status, message):
     return None
 
 
-def try_case(program, files, options, directory):
-    """What is wrong, and what the program said."""
+def try_case(servers, files, options, directory):
+    """What is wrong, what the program said, and its status."""
     for name, text in files.items():
         (directory / name).write_bytes(text.encode(errors="surrogatepass"))
-    try:
-        result = subprocess.run(
-            [program, "scene.prm", *options], cwd=directory,
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-            timeout=TIME_LIMIT, preexec_fn=limit_memory)
-    except subprocess.TimeoutExpired:
-        return f"no end within {TIME_LIMIT} s", "", None
-    message = result.stderr.decode(errors="replace").strip("\n")
-    return problem_of(result.returncode, message), message, result.returncode
+    server = servers.get()
+    status, message = server.run(["scene.prm", *options], directory, TIME_LIMIT,
+                                 MEMORY_LIMIT)
+    servers.put(server)
+    message = message.strip("\n")
+    return problem_of(status, message), message, status
 
 
-def run_try(program, scenes, number, keep):
+def run_try(servers, scenes, number, keep):
     files, options = make_case(scenes, number)
     if keep:
         directory = pathlib.Path(keep) / str(number)
         directory.mkdir(parents=True, exist_ok=True)
-        return try_case(program, files, options, directory)
+        return try_case(servers, files, options, directory)
     with tempfile.TemporaryDirectory() as name:
-        return try_case(program, files, options, pathlib.Path(name))
+        return try_case(servers, files, options, pathlib.Path(name))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
-    parser.add_argument("--tries", type=int, default=150)
+    parser.add_argument("fork_server")
+    parser.add_argument("--tries", type=int, default=500)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--only", type=int)
     parser.add_argument("--keep")
@@ -178,9 +176,12 @@ def main():
         scenes = corpus(program, directory)
     ends = {0: 0, 1: 0}
     n_failed = 0
-    with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
+    servers = queue.SimpleQueue()
+    for _ in range(N_WORKERS):
+        servers.put(ForkServer(program, os.path.abspath(options.fork_server)))
+    with concurrent.futures.ThreadPoolExecutor(N_WORKERS) as pool:
         results = pool.map(
-            lambda number: run_try(program, scenes, number, options.keep), numbers)
+            lambda number: run_try(servers, scenes, number, options.keep), numbers)
         for number, (problem, message, status) in zip(numbers, results):
             if problem:
                 n_failed += 1
@@ -189,6 +190,8 @@ def main():
                 ends[status] += 1
             if options.only is not None:
                 print(message)
+    for _ in range(N_WORKERS):
+        servers.get().close()
     print(f"{len(numbers)} tries: {ends[0]} taken, {ends[1]} refused, "
           f"{n_failed} failed")
     # Changes that are always refused, or never, would try nothing.
