@@ -81,11 +81,16 @@ def processes(n):
     return [*environment, *(["mpirun", "-np", str(n)] if n > 1 else [])]
 
 
+def values_in(text):
+    """Values by the names that stand before them."""
+    words = text.split()
+    return {name: float(value) for name, value in zip(words[::2], words[1::2])}
+
+
 def benchmark(name, *arguments, n_processes=1):
     """The names and values that a benchmark's program prints."""
     command = [*processes(n_processes), ROOT / "build" / f"benchmark_{name}", *arguments]
-    words = timed(command)[2].split()
-    return {name: float(value) for name, value in zip(words[::2], words[1::2])}
+    return values_in(timed(command)[2])
 
 
 def settings(values):
