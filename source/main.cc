@@ -5,12 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <setsudan/kernel/blas.h>
+#include <setsudan/parameters/text_lines.h>
 #include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/record/resumption.h>
 #include <setsudan/simulation/simulation.h>
 #include <setsudan/simulation/validation.h>
 
-#include <cctype>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -117,15 +117,11 @@ run(const CommandLine &command_line,
     timer.print_wall_time_statistics(communicator);
 }
 
-/** Say what is wrong. What the message quotes of a file may be anything: no
- * control character of it reaches the terminal. */
+/** Say what is wrong. */
 void
-say_error(std::string message)
+say_error(const std::string &message)
 {
-  for (char &c : message)
-    if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n')
-      c = '?';
-  std::cerr << "setsudan: " << message << std::endl;
+  std::cerr << "setsudan: " << without_control_characters(message) << std::endl;
 }
 
 std::vector<SceneEntry>

@@ -2,6 +2,7 @@
 #include <setsudan/parameters/scene_file.h>
 #include <setsudan/parameters/text_lines.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -168,6 +169,29 @@ describe_character(const std::string &text, const std::size_t position)
   const auto alike = describe_alike(character.code);
   return "the character " + hexadecimal("U+%04X", character.code) +
          (alike ? ", " + *alike : "");
+}
+
+
+
+std::string
+without_control_characters(const std::string &text)
+{
+  std::string result;
+  for (std::size_t i = 0; i < text.size();)
+    {
+      const unsigned char byte  = text[i];
+      const Character character = decode(text, i);
+      // What is no UTF-8 is passed on byte by byte.
+      const std::size_t size = std::max(character.size, 1u);
+      const char32_t code    = character.size > 0 ? character.code : byte;
+      const bool is_control =
+        (character.size > 0 || byte < 0x80) &&
+        ((code < 0x20 && code != '\n') || (code >= 0x7f && code <= 0x9f) ||
+         code == 0x2028 || code == 0x2029);
+      result += is_control ? "?" : text.substr(i, size);
+      i += size;
+    }
+  return result;
 }
 
 

@@ -29,7 +29,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TIME_LIMIT = 60
 MEMORY_LIMIT = 6 << 30
 MOST_ELEMENTS = 100
-N_WORKERS = 2
+# Most of a short run is MPI, which waits as it begins.
+N_WORKERS = 6
 CASES = ["slit_of_double_nodes/scene.prm", "quarter_points/scene_near.prm",
          "partitioned_mesh/scene_22.prm", "partitioned_mesh/scene_cut.prm",
          "sparse_numbers/scene_serendipity.prm", "number_in_two_dimensions/scene.prm",

@@ -151,6 +151,9 @@ CASES = [
                "section $Nodes has more numbers than it announces (left_over.msh:13:1)"),
     wrong_file("comma.msh", INVERTED.replace("2 1 0 0", "2 1,0 0 0"),
                "(comma.msh:7:3); decimals stand behind a point"),
+    # What ends a line elsewhere than in ASCII is not quoted as such.
+    wrong_file("control.msh", INVERTED.replace("2 1 0 0", "2 \x851 0 0"),
+               "has '?1' where a finite number must be (control.msh:7:3)"),
     wrong_file("minus.geo", GEOMETRY.replace("0, 0, 2", "0, 0, \u22122"),
                "minus.geo:5:22: there is the character U+2212"),
     crash("long_list.geo", GEOMETRY + "Transfinite Curve{9:1e9} = 3;\n"),

@@ -27,6 +27,11 @@ without_comment(const std::string &line);
 std::string
 describe_character(const std::string &text, const std::size_t position);
 
+/** A text with '?' for control characters and separators of lines other than a
+ * newline: what a message quotes may be anything. */
+std::string
+without_control_characters(const std::string &text);
+
 /**
  * Refuse characters that look like what a scene means and are something else,
  * as word processors and web pages put them: typographic minus signs, quotes
