@@ -56,6 +56,8 @@ struct CutSize
 {
   unsigned int n_rows               = 0;
   unsigned int n_interface_unknowns = 0;
+  /** Whether the contact of a blade is to be found on its unknowns. */
+  bool has_contact = false;
 };
 
 Choice<SolverKind>

@@ -2,6 +2,8 @@
 #include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/linear/linear_solver.h>
 
+#include <Teuchos_BLAS.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -188,6 +190,74 @@ CondensedSolver<dim>::residual_of_lift(const LA::Vector &forces,
   LA::Vector residual = forces;
   residual -= forces_of_lift;
   return residual;
+}
+
+
+
+template <int dim>
+void
+CondensedSolver<dim>::Compliance::add_products(
+  const unsigned int begin,
+  const unsigned int end,
+  LAPACKFullMatrix<double> &products) const
+{
+  const int n = half_displacements.n();
+  if (begin == end)
+    return;
+  const Teuchos::BLAS<int, double> blas;
+  blas.SYRK(Teuchos::LOWER_TRI,
+            Teuchos::TRANS,
+            n,
+            end - begin,
+            1.,
+            &half_displacements(begin, 0),
+            half_displacements.m(),
+            1.,
+            &products(0, 0),
+            n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < j; ++i)
+      products(i, j) = products(j, i);
+}
+
+
+
+template <int dim>
+typename CondensedSolver<dim>::Compliance
+CondensedSolver<dim>::compliance(const std::vector<UnknownForces> &on_interface,
+                                 const LA::Vector &loads,
+                                 const LA::Vector &lift)
+{
+  Compliance result;
+  std::vector<UnknownForces> numbered;
+  for (const auto &forces : on_interface)
+    {
+      numbered.emplace_back();
+      result.work_in_lift.push_back(0);
+      for (const auto &[unknown, force] : forces)
+        if (base->is_constrained(unknown))
+          {
+            Assert(base->get_constraint_entries(unknown)->empty(),
+                   ExcMessage("Unknowns of a cut are free or supported."));
+            result.work_in_lift.back() += force * lift(unknown);
+          }
+        else
+          {
+            const auto place =
+              std::lower_bound(cut.begin(), cut.end(), unknown) - cut.begin();
+            AssertIndexRange(place, cut.size());
+            numbered.back().emplace_back(place, force);
+          }
+    }
+  const auto on_cut =
+    condensation
+      ->forward_eliminate(condense(*base, residual_of_lift(loads, lift)))
+      .on_cut;
+  numbered.emplace_back();
+  for (unsigned int i = 0; i < cut.size(); ++i)
+    numbered.back().emplace_back(i, on_cut[i]);
+  result.half_displacements = interface->half_displacements(numbered);
+  return result;
 }
 
 

@@ -102,4 +102,26 @@ IncrementalCholesky::solve(std::vector<double> &x) const
   for (const bool transposed : {false, true})
     solve_triangle(factor.data(), n_solved, most, transposed, x.data());
 }
+
+
+
+void
+IncrementalCholesky::solve_lower(LAPACKFullMatrix<double> &b) const
+{
+  AssertDimension(b.m(), n);
+  if (b.n_elements() == 0)
+    return;
+  const Teuchos::BLAS<int, double> blas;
+  blas.TRSM(Teuchos::LEFT_SIDE,
+            Teuchos::LOWER_TRI,
+            Teuchos::NO_TRANS,
+            Teuchos::NON_UNIT_DIAG,
+            b.m(),
+            b.n(),
+            1.,
+            factor.data(),
+            most,
+            &b(0, 0),
+            b.m());
+}
 } // namespace Setsudan

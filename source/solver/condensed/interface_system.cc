@@ -185,4 +185,24 @@ InterfaceSystem::displacement(const double *forces) const
       u[i] += weight * q[c];
   return u;
 }
+
+
+
+LAPACKFullMatrix<double>
+InterfaceSystem::half_displacements(
+  const std::vector<UnknownForces> &forces) const
+{
+  // The columns of Q in which an unknown of the interface is.
+  std::vector<Column> columns_of_unknown(unknowns.size());
+  for (unsigned int c = 0; c < factor.size(); ++c)
+    for (const auto &[i, weight] : basis[c])
+      columns_of_unknown[i].emplace_back(c, weight);
+  LAPACKFullMatrix<double> y(factor.size(), forces.size());
+  for (unsigned int f = 0; f < forces.size(); ++f)
+    for (const auto &[i, force] : forces[f])
+      for (const auto &[c, weight] : columns_of_unknown[i])
+        y(c, f) += weight * force;
+  factor.solve_lower(y);
+  return y;
+}
 } // namespace Setsudan

@@ -53,6 +53,41 @@ public:
         const LA::Vector &lift,
         const LA::Vector &guess) override;
 
+  /** The free unknowns of the interface in the present stage. */
+  unsigned int
+  n_free() const
+  {
+    return interface->n_free();
+  }
+
+  /** What forces on the interface do to each other, in all stages that have
+   * been factored. */
+  struct Compliance
+  {
+    /** See InterfaceSystem::half_displacements(). The last column is that of
+     * the loads. */
+    dealii::LAPACKFullMatrix<double> half_displacements;
+    /** The work of each of the forces in the lift. */
+    std::vector<double> work_in_lift;
+
+    /** Add the products of all columns over some rows, so that over the free
+     * unknowns of a stage they are the work of one force in the displacement
+     * under the other. */
+    void
+    add_products(const unsigned int begin,
+                 const unsigned int end,
+                 dealii::LAPACKFullMatrix<double> &products) const;
+  };
+
+  /**
+   * @param on_interface forces on unknowns of the cut; those that `base`
+   *   constrains must be supported.
+   * @param loads, lift as in solve(); the lift has no opening. */
+  Compliance
+  compliance(const std::vector<UnknownForces> &on_interface,
+             const LA::Vector &loads,
+             const LA::Vector &lift);
+
 private:
   /** The state of the interface, and what the back substitution needs. */
   struct InterfaceState

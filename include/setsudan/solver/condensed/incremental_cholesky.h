@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deal.II/base/aligned_vector.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <functional>
 #include <vector>
@@ -39,6 +40,11 @@ public:
   /** Solve for the first unknowns, as many as x has. */
   void
   solve(std::vector<double> &x) const;
+
+  /** Replace vectors b, the columns of a matrix of size() rows, by L^-1 b,
+   * where L is the factor. */
+  void
+  solve_lower(dealii::LAPACKFullMatrix<double> &b) const;
 
 private:
   const unsigned int most;

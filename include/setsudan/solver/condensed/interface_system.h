@@ -5,6 +5,7 @@
 
 #include <setsudan/solver/condensed/incremental_cholesky.h>
 #include <setsudan/solver/condensed/schur_complement.h>
+#include <setsudan/solver/condensed/unknown_forces.h>
 
 #include <utility>
 #include <vector>
@@ -59,6 +60,25 @@ public:
    * the present stage. */
   std::vector<double>
   displacement(const double *forces) const;
+
+  /** How many unknowns are free in the present stage: these are the first ones
+   * of all. */
+  unsigned int
+  n_free() const
+  {
+    return n_columns;
+  }
+
+  /**
+   * The vectors y = L^-1 Q^T f of forces f, where L is the factor of all stages
+   * up to the last one: over the free unknowns of a stage, the product of two
+   * of them is the work of one force in the displacement under the other.
+   *
+   * @param forces each on all unknowns of the interface.
+   * @return a column for each, with a row for each free unknown.
+   */
+  dealii::LAPACKFullMatrix<double>
+  half_displacements(const std::vector<UnknownForces> &forces) const;
 
 private:
   /** A column of Q: unknowns, by their place in the cut, and factors. */
