@@ -27,6 +27,58 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     Patterns::Double(),
                     "How far the blade moves the two sides of the cut apart, "
                     "at least 0 [length].");
+  Setsudan::declare(
+    handler,
+    "Blade",
+    "Drive",
+    "force",
+    Patterns::Selection("force|travel"),
+    "force: Edge loads act on the front; travel: the edge moves "
+    "along Direction, and the force is the reaction.");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Shape",
+                    "line",
+                    Patterns::Selection("line|wedge"),
+                    "line: the blade has no body; wedge: two flanks and a "
+                    "shank of Thickness, with Drive = travel.");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Wedge angle",
+                    "20",
+                    Patterns::Double(),
+                    "Between the flanks, more than 0 and less than 180 "
+                    "[degrees].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Shoulder radius",
+                    "0",
+                    Patterns::Double(),
+                    "With which the flanks turn into the shank; at 0 a wall "
+                    "springs back there, and its energy is lost [length].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Friction",
+                    "0",
+                    Patterns::Double(),
+                    "Coulomb's coefficient between the flanks and the walls of "
+                    "the cut, at least 0 [-].");
+  Setsudan::declare(
+    handler,
+    "Blade",
+    "Slice-push ratio",
+    "0",
+    Patterns::Double(),
+    "How far the blade moves along its edge for each length that "
+    "it is pushed, at least 0 [-].");
+  Setsudan::declare(
+    handler,
+    "Blade",
+    "Edge grip",
+    "",
+    Patterns::Anything(),
+    "The friction with which the edge drags the front along as it "
+    "slices; empty: it drags it all the way [-].");
   Setsudan::declare(handler,
                     "Blade",
                     "Direction",
@@ -103,7 +155,10 @@ template <int dim>
 BladeParameters<dim>::BladeParameters(const Parameters &parameters)
   : sharpness(parameters.number("Blade", "Sharpness"))
   , thickness(parameters.number("Blade", "Thickness"))
+  , travels(parameters.text("Blade", "Drive") == "travel")
 {
+  read_sliding(parameters);
+  read_shape(parameters);
   parameters.require(sharpness >= 0 && sharpness <= 1,
                      "Blade",
                      "Sharpness",
@@ -120,6 +175,63 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
     edge_loads.push_back(read_edge_loads(parameters, text));
   if (edge_loads.empty())
     edge_loads.emplace_back();
+}
+
+
+
+template <int dim>
+void
+BladeParameters<dim>::read_sliding(const Parameters &parameters)
+{
+  const auto read = [&](const std::string &name) {
+    const double value = parameters.number("Blade", name);
+    parameters.require(
+      value >= 0, "Blade", name, "a number that is not negative");
+    parameters.require(
+      travels || value == 0, "Blade", name, "0 where Blade/Drive is force");
+    return value;
+  };
+  sliding.friction = read("Friction");
+  sliding.slice    = read("Slice-push ratio");
+  parameters.require(dim == 3 || sliding.slice == 0,
+                     "Blade",
+                     "Slice-push ratio",
+                     "0 in 2D, where the edge is a point");
+  sliding.grip = parameters.text("Blade", "Edge grip").empty()
+                   ? sliding.slice
+                   : parameters.numbers("Blade", "Edge grip", 1)[0];
+  parameters.require(sliding.grip >= 0,
+                     "Blade",
+                     "Edge grip",
+                     "a number that is not negative, or nothing");
+}
+
+
+
+template <int dim>
+void
+BladeParameters<dim>::read_shape(const Parameters &parameters)
+{
+  if (parameters.text("Blade", "Shape") == "line")
+    return;
+  parameters.require(
+    travels, "Blade", "Shape", "line where Blade/Drive is force");
+  const double angle  = parameters.number("Blade", "Wedge angle");
+  const double radius = parameters.number("Blade", "Shoulder radius");
+  parameters.require(angle > 0 && angle < 180,
+                     "Blade",
+                     "Wedge angle",
+                     "an angle of more than 0 and less than 180 degrees");
+  parameters.require(
+    thickness > 0, "Blade", "Thickness", "more than 0, for a wedge");
+  const double largest =
+    thickness / 2 / (1 - std::cos(angle / 2 * numbers::PI / 180));
+  parameters.require(radius >= 0 && radius <= largest,
+                     "Blade",
+                     "Shoulder radius",
+                     "a length from 0 to " + std::to_string(largest) +
+                       ", with which the flanks have no length left");
+  profile = BladeProfile::wedge(angle, thickness, radius);
 }
 
 

@@ -33,6 +33,7 @@ ROOMS = [
     "cut/surface",
     "cut/seam",
     "cut/yield",
+    "contact",
     "output/frames",
     "output/tables",
     "output/pieces",

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <setsudan/blade/blade_profile.h>
+#include <setsudan/blade/sliding_blade.h>
 #include <setsudan/parameters/parameters.h>
 
 #include <vector>
@@ -22,6 +24,11 @@ struct BladeParameters
 {
   double sharpness;
   double thickness;
+  /** Whether the edge moves by a travel, and the force is the reaction. */
+  bool travels;
+  SlidingBlade sliding;
+  /** The blade's body. */
+  BladeProfile profile;
   /** Unit vectors of the blade's travel, one for each cut or one for all. */
   std::vector<dealii::Tensor<1, dim>> directions;
   /** The loads on the edge, for each cut or for all. */
@@ -31,5 +38,11 @@ struct BladeParameters
   declare(dealii::ParameterHandler &handler);
 
   explicit BladeParameters(const Parameters &parameters);
+
+private:
+  void
+  read_sliding(const Parameters &parameters);
+  void
+  read_shape(const Parameters &parameters);
 };
 } // namespace Setsudan

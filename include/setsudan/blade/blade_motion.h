@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace Setsudan
+{
+/** Where a blade that travels is, and what it has done so far; lengths, forces
+ * and energies in the scene's units. */
+struct BladeMotion
+{
+  /** Of the edge along the blade's direction, from the entry of the cut. */
+  double travel = 0;
+  /** The forces of edge and flanks on the body along that direction, and the
+   * area on which the flanks press. */
+  double edge_force  = 0;
+  double flank_force = 0;
+  /** The part of the flanks' force that is friction. */
+  double friction_force = 0;
+  /** The blade's force on the body along its edge. */
+  double force_along  = 0;
+  double contact_area = 0;
+  /** Since the run began: the blade's work; what new surface and what friction
+   * takes; and what is set free besides, as a row splits that could have done
+   * so before, or as a wall springs back from the blade's shoulder. */
+  double work            = 0;
+  double surface_energy  = 0;
+  double friction_energy = 0;
+  double excess_energy   = 0;
+  /** The potential energy of the body before the blade came. */
+  double energy_at_rest = 0;
+  /** How many rows split next, all at once; 0 where none does. */
+  unsigned int n_rows_to_split = 0;
+
+  /** For boost::serialization. */
+  template <typename Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &travel &edge_force &flank_force &friction_force &force_along;
+    archive &contact_area &work &surface_energy &friction_energy;
+    archive &excess_energy &energy_at_rest &n_rows_to_split;
+  }
+};
+} // namespace Setsudan

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The cross section of a blade: half of its thickness over the distance s
+ * behind the edge, as a polygon. A facet that begins at s_k is the line
+ *   h(s) = half_thickness_k + slope_k (s - s_k).
+ */
+struct BladeProfile
+{
+  struct Facet
+  {
+    double begin;
+    double half_thickness;
+    double slope;
+  };
+
+  /** Ascending; none for a blade without a body. The first one begins at the
+   * edge, and the last one has no end. */
+  std::vector<Facet> facets;
+
+  /**
+   * A symmetric wedge that ends in a shank.
+   *
+   * @param angle     between its flanks [degrees], more than 0, less than 180.
+   * @param thickness of the shank.
+   * @param shoulder_radius with which the flanks turn into the shank: an arc,
+   *   in facets of equal angles.
+   */
+  static BladeProfile
+  wedge(const double angle,
+        const double thickness,
+        const double shoulder_radius);
+
+  double
+  half_thickness(const double s) const;
+
+  /** The facet at a distance behind the edge; ahead of it the first one. */
+  unsigned int
+  facet_at(const double s) const;
+};
+} // namespace Setsudan

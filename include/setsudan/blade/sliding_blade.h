@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace Setsudan
+{
+/** How a blade slides along the walls and the front of a cut. */
+struct SlidingBlade
+{
+  /** Coulomb's coefficient between flanks and walls. */
+  double friction = 0;
+  /** How far the blade moves along its edge for each length that it is pushed.
+   */
+  double slice = 0;
+  /** How far the edge drags the front along in that, at most: its friction. */
+  double grip = 0;
+
+  double
+  drag() const
+  {
+    return grip < slice ? grip : slice;
+  }
+
+  /** Whether there is friction along the edge. */
+  bool
+  rubs_aside() const
+  {
+    return friction > 0 && slice > 0;
+  }
+};
+} // namespace Setsudan

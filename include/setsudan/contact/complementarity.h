@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace Setsudan
+{
+/** Quantities that are linear in a parameter p: constant + p slope. */
+struct LinearInParameter
+{
+  dealii::Vector<double> constant;
+  dealii::Vector<double> slope;
+
+  double
+  operator()(const unsigned int i, const double p) const
+  {
+    return constant[i] + p * slope[i];
+  }
+};
+
+/** Which of some unilateral conditions hold with equality. */
+using ActiveSet = std::vector<bool>;
+
+/** A combination of up to three vectors: their numbers and factors. */
+using VectorSum = std::array<std::pair<unsigned int, double>, 3>;
+
+/**
+ * A linear complementarity problem with a parameter p: multipliers and gaps
+ * with
+ *   gap = W multiplier - required(p) >= 0,  multiplier >= 0,
+ *   multiplier . gap = 0.
+ * W = R G F^T is the compliance (Delassus) matrix of unilateral contact: G has
+ * the displacements along some vectors under forces along them, a row of R says
+ * what a gap measures, and one of F what a multiplier exerts. Without friction
+ * these are the same and W is symmetric and positive definite, in which case
+ * there is one solution for each p, continuous and piecewise linear in p.
+ */
+class Complementarity
+{
+public:
+  /** The solutions that one active set gives, linear in p. */
+  struct Piece
+  {
+    ActiveSet active;
+    LinearInParameter multipliers;
+    LinearInParameter gaps;
+    /** Along the vectors, as far as the multipliers cause them. */
+    LinearInParameter displacements;
+  };
+
+  /** Where a piece ends: the condition that would be violated beyond. */
+  struct Breakpoint
+  {
+    double p;
+    unsigned int condition;
+  };
+
+  /** @param products G, which must live as long. */
+  Complementarity(const dealii::LAPACKFullMatrix<double> &products,
+                  std::vector<VectorSum> measured,
+                  std::vector<VectorSum> exerted,
+                  LinearInParameter required);
+
+  unsigned int
+  size() const;
+
+
+  /**
+   * The active set of the solution at p, by the primal-dual active set method;
+   * where that returns to a set that it has left already, by principal pivoting
+   * on the violated condition of least index (Murty), which ends for every
+   * P-matrix.
+   *
+   * @param guess empty, or the active set of a solution near it.
+   * @throw SolverError where there is no solution, as it may be with friction.
+   */
+  ActiveSet
+  active_set(const double p, ActiveSet guess = {}) const;
+
+  /** The piece of an active set, whether or not it holds anywhere. */
+  Piece
+  piece(const ActiveSet &active) const;
+
+  /** The end of a piece that holds at p, beyond p; nothing where it holds for
+   * all that follow. */
+  std::optional<Breakpoint>
+  end_of(const Piece &piece, const double p) const;
+
+private:
+  /** Solve for the multipliers of the active conditions; the others are 0.
+   *
+   * @param required one of more right-hand sides. */
+  std::vector<dealii::Vector<double>>
+  multipliers(const ActiveSet &active,
+              const std::vector<dealii::Vector<double>> &required) const;
+
+  /** What is wrong with an active set at p: none of it, if it is that of the
+   * solution. */
+  std::vector<unsigned int>
+  violations(const ActiveSet &active,
+             const dealii::Vector<double> &required) const;
+
+  ActiveSet
+  pivot(ActiveSet active, const dealii::Vector<double> &required) const;
+
+  /** G F^T times multipliers, of which few are not 0. */
+  dealii::Vector<double>
+  displacements(const dealii::Vector<double> &multipliers) const;
+
+  /** The gaps that displacements leave. */
+  dealii::Vector<double>
+  gaps(const dealii::Vector<double> &displacements,
+       const dealii::Vector<double> &required) const;
+
+  const dealii::LAPACKFullMatrix<double> &products;
+  const std::vector<VectorSum> measured;
+  const std::vector<VectorSum> exerted;
+  const LinearInParameter required;
+};
+} // namespace Setsudan

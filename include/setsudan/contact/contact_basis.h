@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <setsudan/blade/blade_edge.h>
+#include <setsudan/blade/sliding_blade.h>
+#include <setsudan/cut/seam/seam.h>
+#include <setsudan/cut/surface/cut_surface.h>
+#include <setsudan/solver/condensed/unknown_forces.h>
+
+#include <utility>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The vectors of which the conditions of contact at a cut are made, each a
+ * combination of unknowns: as a row it gives a mean displacement, as a force it
+ * is what a contact pressure exerts.
+ *
+ * Pressure is interpolated by the hats psi of the corners of element faces,
+ * which are linear along each line, and gaps are weighted with them. With the
+ * faces' own shape functions N, node k has the weight
+ *   M_k = integral of psi N_k,
+ * so that a uniform pressure exerts just the forces that are in equilibrium
+ * with a uniform stress, also on faces of serendipity elements, whose corners
+ * take negative forces. Pressure is not negative where its values at the
+ * corners are not.
+ */
+template <int dim>
+class ContactBasis
+{
+public:
+  /** A corner of the cut, on which a hat stands. */
+  struct Hat
+  {
+    unsigned int pair;
+    /** The row that it belongs to: it is there when that is split. */
+    unsigned int row;
+    /** The integral of the hat, and the mean depth over it: how far behind the
+     * entry it lies, along the blade's direction. */
+    double area;
+    double depth;
+    /** The pairs on the faces around it, and their weights. */
+    std::vector<std::pair<unsigned int, double>> weights;
+  };
+
+  /** What a vector of a hat measures on one of the two walls. */
+  enum class Component
+  {
+    /** The displacement out of the cut, off the other wall. */
+    outward,
+    /** That along the blade's direction. */
+    along,
+    /** That along its edge, where it slices. */
+    aside
+  };
+  enum class Wall
+  {
+    minus,
+    plus
+  };
+
+  /** A node of the front of a row, on which the edge may rest. */
+  struct EdgeNode
+  {
+    unsigned int pair;
+    unsigned int row;
+    double depth;
+  };
+
+  /** One process only.
+   *
+   * @param surface the faces of the cut.
+   * @param sliding whether there is a component aside, and how far the edge
+   * drags the front. */
+  ContactBasis(const ElasticModel<dim> &model,
+               const CutSurface<dim> &surface,
+               const Seam<dim> &seam,
+               const BladeEdge<dim> &edge,
+               const SlidingBlade &sliding);
+
+  const std::vector<Hat> &
+  hats() const
+  {
+    return all_hats;
+  }
+
+  const std::vector<EdgeNode> &
+  edge_nodes() const
+  {
+    return all_edge_nodes;
+  }
+
+  /** The number of a hat's vector, and of what the edge measures at a node: its
+   * displacement along the blade's direction and, as far as it is dragged,
+   * aside. */
+  unsigned int
+  vector_of_hat(const unsigned int hat,
+                const Wall wall,
+                const Component component) const;
+  unsigned int
+  vector_of_edge_node(const unsigned int node) const;
+
+  /** The vectors of a hat are these and as many that follow. */
+  unsigned int
+  first_vector_of_hat(const unsigned int hat) const;
+  unsigned int
+  n_vectors_of_hat() const
+  {
+    return sliding.rubs_aside() ? 6 : 4;
+  }
+
+  const std::vector<UnknownForces> &
+  vectors() const
+  {
+    return all_vectors;
+  }
+
+private:
+  void
+  make_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
+
+  const SlidingBlade sliding;
+
+  std::vector<Hat> all_hats;
+  std::vector<EdgeNode> all_edge_nodes;
+  std::vector<UnknownForces> all_vectors;
+};
+} // namespace Setsudan

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <setsudan/blade/blade_profile.h>
+#include <setsudan/contact/complementarity.h>
+#include <setsudan/contact/contact_basis.h>
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Setsudan
+{
+/** The quadratic function c[0] + c[1] p + c[2] p^2. */
+struct Quadratic
+{
+  std::array<double, 3> c{};
+
+  double
+  operator()(const double p) const
+  {
+    return c[0] + p * (c[1] + p * c[2]);
+  }
+
+  /** The smallest root between two points, the first of which is one if the
+   * function is not negative there. */
+  std::optional<double>
+  first_root(const double begin, const double end) const;
+};
+
+/**
+ * The equilibrium of a body with its blade, while the first rows of the cut are
+ * split and the blade travels: unilateral contact of the two walls with the
+ * blade's flanks and with each other, and of the front with the edge.
+ *
+ * Between breakpoints, where contacts open or close or a wall passes from one
+ * facet of the blade to the next, all is linear in the travel p, and the energy
+ * quadratic. Conditions of contact, of which the pressure or force is the
+ * multiplier:
+ *
+ *   edge on a node of the front  d.u - (p - z) >= 0
+ *   flank on a hat of a wall     o.u + t d.u - A (h + t (p - z - s)) >= 0
+ *   wall on wall                 o.u- + o.u+ >= 0
+ *
+ * where d.u is the displacement along the blade's direction and o.u that out of
+ * the cut, both weighted with the hat, A the hat's integral and z its depth,
+ * and the facet begins s behind the edge with half thickness h and slope t.
+ *
+ * While the blade is pushed its flanks slip, and friction acts in a known
+ * direction: a pressure exerts (1 - mu t) out of the cut and t + mu along the
+ * direction, so that the problem is not symmetric. A blade that slices moves xi
+ * aside for each length that it is pushed: its edge drags the front along its
+ * way, by k = xi or as far as it grips, and friction acts along it too:
+ *
+ *   edge  d.u + k e.u - (1 + k^2) (p - z) >= 0
+ *   flank exerts  1 - m t out, t + m along, m xi (1 + t^2)^1/2 aside, where
+ *         m = mu / (1 + xi^2)^1/2.
+ */
+template <int dim>
+class ContactPath
+{
+public:
+  using Wall = typename ContactBasis<dim>::Wall;
+
+  /**
+   * @param basis, profile must live as long.
+   * @param row      the first row that is not split; their number behind the
+   *   last one.
+   * @param n_ahead  the rows behind that one that may split with it.
+   * @param products the work of each vector of the basis as a force in the
+   *   displacement under each other one, in this stage; the last one is the
+   *   body's loads.
+   * @param work_in_lift that in the lift.
+   * @param smallest_step a travel that is small beside a row.
+   */
+  ContactPath(const ContactBasis<dim> &basis,
+              const BladeProfile &profile,
+              const SlidingBlade &sliding,
+              const unsigned int row,
+              const unsigned int n_ahead,
+              const dealii::LAPACKFullMatrix<double> &products,
+              const std::vector<double> &work_in_lift,
+              const double smallest_step);
+
+  /** Find the contacts at a travel, beginning with those of another stage. */
+  void
+  begin(const double travel, const ContactPath *neighbour);
+
+  /** Up to where the present contacts hold, not less than where they began;
+   * infinite where nothing ends them. */
+  double
+  end() const
+  {
+    return end_of_piece;
+  }
+
+  /** Go on to the contacts beyond end().
+   *
+   * @return the energy that is lost: it is not 0 where a wall springs back at
+   *   an edge between facets. */
+  double
+  cross_end();
+
+  /** The potential energy of the body under its loads, up to what is the same
+   * in all stages of a cut, over the travel. */
+  Quadratic
+  energy() const;
+
+  /** A force on the body along the blade's direction, over the travel: of the
+   * edge, of the flanks, and the part of the latter that is friction. */
+  Quadratic
+  edge_force() const;
+  Quadratic
+  flank_force() const;
+  Quadratic
+  friction_force() const;
+
+  /** The force of the blade on the body along its edge. */
+  Quadratic
+  force_aside() const;
+
+  /** The energy that friction takes from one travel to another, with the
+   * contacts that hold now. */
+  double
+  friction_work(const double begin, const double end) const;
+
+  /** That while rows split and the contact of another stage follows, over the
+   * travel at which they do: with the mean of the pressures before and after.
+   */
+  Quadratic
+  friction_work_to(const ContactPath &after) const;
+
+  /** The area on which the flanks press. */
+  double
+  contact_area() const;
+
+  /** The forces of contact on the vectors of the basis. */
+  std::vector<double>
+  forces(const double travel) const;
+
+private:
+  enum class Kind
+  {
+    edge,
+    flank,
+    walls
+  };
+
+  /** A condition of contact: a vector and what it must not fall below, as far
+   * as the displacement is concerned. */
+  struct Condition
+  {
+    Kind kind;
+    /** The hat or node of the edge. */
+    unsigned int place;
+    Wall wall;
+    /** Vectors of the basis and their factors: what it measures, and what its
+     * multiplier exerts. */
+    VectorSum measured;
+    VectorSum exerted;
+    double constant;
+    double per_travel;
+    /** What a multiplier of 1 exerts along the blade's direction, the part of
+     * it that is friction, and what it exerts aside. */
+    double force;
+    double friction;
+    double aside;
+    /** The energy that it takes over a slip of 1 along and aside. */
+    std::array<double, 2> dissipation;
+
+    bool
+    is_same(const Condition &other) const;
+  };
+
+  /** Make the conditions for the facets as they are. */
+  void
+  make_conditions();
+
+  /** The same, with the active set of those before as a guess. */
+  void
+  remake_conditions();
+
+  /** Take the facets and the active set that hold at a travel. */
+  void
+  settle(const double travel);
+
+  /** How far a wall at a hat is behind the edge, over the travel. */
+  std::array<double, 2>
+  distance_behind_edge(const unsigned int hat, const Wall wall) const;
+
+  /** Move hats to the facets that they are on; whether any did.
+   *
+   * @param tolerance how far beyond the end of one they may stay on it.
+   * @param back whether they may move forward again, while they do not touch.
+   */
+  bool
+  update_facets(const double travel, const double tolerance, const bool back);
+
+  void
+  take_piece(const double travel, const ActiveSet &active);
+
+  unsigned int &
+  facet(const unsigned int hat, const Wall wall)
+  {
+    return facets[2 * hat + (wall == Wall::plus)];
+  }
+  unsigned int
+  facet(const unsigned int hat, const Wall wall) const
+  {
+    return facets[2 * hat + (wall == Wall::plus)];
+  }
+
+  /** A sum over the conditions of a kind, each times its multiplier. */
+  Quadratic
+  sum_over(const Kind kind, const double Condition::*factor) const;
+
+  /** The mean of a component of a wall's displacement, over the travel. */
+  std::array<double, 2>
+  moved(const unsigned int hat,
+        const Wall wall,
+        const typename ContactBasis<dim>::Component component) const;
+
+  /** The energy that friction takes for a multiplier of 1 while the blade
+   * travels and a wall moves along and aside. */
+  double
+  dissipation(const Condition &condition,
+              const double travel,
+              const double along,
+              const double aside) const;
+
+  const ContactBasis<dim> &basis;
+  const BladeProfile &profile;
+  const SlidingBlade sliding;
+  const unsigned int row;
+  dealii::LAPACKFullMatrix<double> products;
+  /** The vectors of the basis that the stage uses, and where they are in
+   * `products`; the last one there is that of the loads. */
+  std::vector<unsigned int> place_of;
+  /** Under the loads alone: the work of the vectors, and the energy. */
+  std::vector<double> displacement_at_rest;
+  double energy_at_rest = 0;
+  const double smallest_step;
+
+  /** The facets of the hats' walls. */
+  std::vector<unsigned int> facets;
+  std::vector<Condition> conditions;
+  std::unique_ptr<Complementarity> problem;
+  Complementarity::Piece piece;
+  double end_of_piece = std::numeric_limits<double>::infinity();
+  /** The condition that ends the piece, if it is no change of a facet. */
+  std::optional<unsigned int> ending_condition;
+};
+} // namespace Setsudan

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/contact/complementarity.h>
+#include <setsudan/parameters/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+/** What is violated by less is round-off, relative to the largest. */
+constexpr double round_off = 1e-13;
+
+/** @param b of the same size. */
+Vector<double>
+at(const LinearInParameter &quantity, const double p)
+{
+  Vector<double> value = quantity.constant;
+  value.add(p, quantity.slope);
+  return value;
+}
+} // namespace
+
+
+Complementarity::Complementarity(const LAPACKFullMatrix<double> &G,
+                                 std::vector<VectorSum> rows,
+                                 std::vector<VectorSum> forces,
+                                 LinearInParameter b)
+  : products(G)
+  , measured(std::move(rows))
+  , exerted(std::move(forces))
+  , required(std::move(b))
+{
+  AssertDimension(products.m(), products.n());
+  AssertDimension(measured.size(), required.constant.size());
+  AssertDimension(exerted.size(), required.constant.size());
+  AssertDimension(required.slope.size(), required.constant.size());
+}
+
+
+
+unsigned int
+Complementarity::size() const
+{
+  return required.constant.size();
+}
+
+
+
+std::vector<Vector<double>>
+Complementarity::multipliers(const ActiveSet &active,
+                             const std::vector<Vector<double>> &sides) const
+{
+  std::vector<unsigned int> indices;
+  for (unsigned int i = 0; i < size(); ++i)
+    if (active[i])
+      indices.push_back(i);
+  std::vector<Vector<double>> all(sides.size(), Vector<double>(size()));
+  const unsigned int n = indices.size();
+  if (n == 0)
+    return all;
+  LAPACKFullMatrix<double> block(n), right(n, sides.size());
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+      for (const auto &[a, factor] : measured[indices[i]])
+        for (const auto &[b, other] : exerted[indices[j]])
+          block(i, j) += factor * other * products(a, b);
+  for (unsigned int s = 0; s < sides.size(); ++s)
+    for (unsigned int i = 0; i < n; ++i)
+      right(i, s) = sides[s][indices[i]];
+  block.compute_lu_factorization();
+  block.solve(right);
+  for (unsigned int s = 0; s < sides.size(); ++s)
+    for (unsigned int i = 0; i < n; ++i)
+      all[s][indices[i]] = right(i, s);
+  return all;
+}
+
+
+
+Vector<double>
+Complementarity::displacements(const Vector<double> &lambda) const
+{
+  Vector<double> moved(products.m());
+  const auto m = static_cast<unsigned int>(products.m());
+  for (unsigned int j = 0; j < size(); ++j)
+    if (lambda[j] != 0)
+      for (const auto &[b, factor] : exerted[j])
+        for (unsigned int a = 0; a < m; ++a)
+          moved[a] += factor * lambda[j] * products(a, b);
+  return moved;
+}
+
+
+
+Vector<double>
+Complementarity::gaps(const Vector<double> &moved,
+                      const Vector<double> &b) const
+{
+  Vector<double> gap(size());
+  for (unsigned int i = 0; i < size(); ++i)
+    {
+      for (const auto &[a, factor] : measured[i])
+        gap[i] += factor * moved[a];
+      gap[i] -= b[i];
+    }
+  return gap;
+}
+
+
+
+std::vector<unsigned int>
+Complementarity::violations(const ActiveSet &active,
+                            const Vector<double> &b) const
+{
+  const Vector<double> lambda = multipliers(active, {b})[0];
+  const Vector<double> gap    = gaps(displacements(lambda), b);
+  const double allowed_pull   = round_off * lambda.linfty_norm();
+  const double allowed_gap    = round_off * b.linfty_norm();
+  std::vector<unsigned int> violated;
+  for (unsigned int i = 0; i < size(); ++i)
+    if (active[i] ? !(lambda[i] >= -allowed_pull) : !(gap[i] >= -allowed_gap))
+      violated.push_back(i);
+  return violated;
+}
+
+
+
+ActiveSet
+Complementarity::pivot(ActiveSet active, const Vector<double> &b) const
+{
+  const unsigned int most = 100 + 20 * size();
+  for (unsigned int step = 0; step < most; ++step)
+    {
+      const auto violated = violations(active, b);
+      if (violated.empty())
+        return active;
+      active[violated.back()].flip();
+    }
+  throw SolverError(
+    "There is no equilibrium with contact: the conditions of contact "
+    "contradict each other, as they may with much friction. Lower "
+    "Blade/Friction.");
+}
+
+
+
+ActiveSet
+Complementarity::active_set(const double p, ActiveSet active) const
+{
+  const Vector<double> b = at(required, p);
+  active.resize(size(), false);
+  std::set<ActiveSet> known;
+  while (known.insert(active).second)
+    {
+      const auto violated = violations(active, b);
+      if (violated.empty())
+        return active;
+      for (const unsigned int i : violated)
+        active[i].flip();
+    }
+  return pivot(std::move(active), b);
+}
+
+
+
+Complementarity::Piece
+Complementarity::piece(const ActiveSet &active) const
+{
+  Piece piece;
+  piece.active      = active;
+  const auto solved = multipliers(active, {required.constant, required.slope});
+  piece.multipliers = {solved[0], solved[1]};
+  piece.displacements = {displacements(solved[0]), displacements(solved[1])};
+  piece.gaps          = {gaps(piece.displacements.constant, required.constant),
+                         gaps(piece.displacements.slope, required.slope)};
+  for (unsigned int i = 0; i < size(); ++i)
+    if (active[i])
+      piece.gaps.constant[i] = piece.gaps.slope[i] = 0;
+  return piece;
+}
+
+
+
+std::optional<Complementarity::Breakpoint>
+Complementarity::end_of(const Piece &piece, const double p) const
+{
+  const auto falling = [&](const unsigned int i) -> const LinearInParameter & {
+    return piece.active[i] ? piece.multipliers : piece.gaps;
+  };
+  std::array<double, 2> largest{};
+  for (unsigned int i = 0; i < size(); ++i)
+    largest[piece.active[i]] =
+      std::max(largest[piece.active[i]], std::abs(falling(i).slope[i]));
+  std::optional<Breakpoint> end;
+  for (unsigned int i = 0; i < size(); ++i)
+    {
+      const double slope = falling(i).slope[i];
+      if (slope >= -round_off * largest[piece.active[i]])
+        continue;
+      const double zero = p + std::max(falling(i)(i, p), 0.) / -slope;
+      if (!end || zero < end->p)
+        end = {zero, i};
+    }
+  return end;
+}
+} // namespace Setsudan

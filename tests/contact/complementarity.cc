@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Random complementarity problems with a symmetric positive definite matrix:
+// from any active set the same solution is found, it obeys the conditions, and
+// pieces that are followed from breakpoint to breakpoint are the solutions that
+// are found anew between them. A problem that has no solution is refused.
+
+#include <setsudan/contact/complementarity.h>
+#include <setsudan/parameters/exceptions.h>
+
+#include <cmath>
+#include <random>
+
+#include "../test_setup.h"
+
+using namespace Setsudan;
+using namespace dealii;
+
+using Generator = std::mt19937;
+
+/** A A^T + a little, of nearly dependent columns as those of a fine mesh are.
+ */
+LAPACKFullMatrix<double>
+random_products(const unsigned int n, Generator &generator)
+{
+  std::normal_distribution<double> normal;
+  LAPACKFullMatrix<double> a(n), products(n);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      a(i, j) = normal(generator) / (1 + j);
+  a.mTmult(products, a);
+  for (unsigned int i = 0; i < n; ++i)
+    products(i, i) += 1e-3;
+  return products;
+}
+
+
+std::vector<VectorSum>
+single_vectors(const unsigned int n)
+{
+  std::vector<VectorSum> vectors;
+  for (unsigned int i = 0; i < n; ++i)
+    vectors.push_back({{{i, 1.}, {i, 0.}, {i, 0.}}});
+  return vectors;
+}
+
+
+/** How far a piece is from obeying the conditions at p. */
+double
+violation(const Complementarity::Piece &piece,
+          const LAPACKFullMatrix<double> &products,
+          const LinearInParameter &required,
+          const double p)
+{
+  const unsigned int n = piece.active.size();
+  Vector<double> lambda(n), gap(n);
+  for (unsigned int i = 0; i < n; ++i)
+    lambda[i] = piece.multipliers(i, p);
+  products.vmult(gap, lambda);
+  double largest = 0;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      gap[i] -= required(i, p);
+      largest =
+        std::max({largest, -lambda[i], -gap[i], std::abs(lambda[i] * gap[i])});
+    }
+  return largest / (1 + lambda.linfty_norm());
+}
+
+
+void
+test(const unsigned int n, Generator &generator)
+{
+  std::normal_distribution<double> normal;
+  const auto products = random_products(n, generator);
+  LinearInParameter required{Vector<double>(n), Vector<double>(n)};
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      required.constant[i] = normal(generator);
+      required.slope[i]    = normal(generator);
+    }
+  const auto vectors = single_vectors(n);
+  const Complementarity problem(products, vectors, vectors, required);
+
+  const ActiveSet first = problem.active_set(0);
+  bool is_unique        = true;
+  for (unsigned int start = 0; start < 20; ++start)
+    {
+      ActiveSet guess(n);
+      for (unsigned int i = 0; i < n; ++i)
+        guess[i] = generator() % 2 == 0;
+      is_unique = is_unique && problem.active_set(0, guess) == first;
+    }
+  double p            = 0;
+  auto piece          = problem.piece(first);
+  double largest      = violation(piece, products, required, p);
+  unsigned int n_ends = 0;
+  while (const auto end = problem.end_of(piece, p))
+    {
+      if (end->p > 10)
+        break;
+      largest = std::max(
+        largest, violation(piece, products, required, (p + end->p) / 2));
+      p = end->p;
+      piece.active[end->condition].flip();
+      piece     = problem.piece(piece.active);
+      is_unique = is_unique && problem.active_set(p + 1e-9) == piece.active;
+      ++n_ends;
+    }
+  std::cout << n << (n_ends > 0 ? ": has breakpoints" : ": no breakpoints")
+            << (is_unique ? ", one solution" : ", FAILED: several solutions")
+            << std::endl;
+  check_below("  violation", largest, 1e-9);
+}
+
+
+/** A gap that its own multiplier closes. */
+void
+test_impossible()
+{
+  LAPACKFullMatrix<double> products(1);
+  products(0, 0) = -1;
+  const Complementarity problem(products,
+                                single_vectors(1),
+                                single_vectors(1),
+                                {Vector<double>({1.}), Vector<double>({0.})});
+  try
+    {
+      problem.active_set(0);
+      std::cout << "FAILED: a solution was found" << std::endl;
+    }
+  catch (const SolverError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    Generator generator(1996);
+    for (const unsigned int n : {1, 2, 5, 20, 60})
+      test(n, generator);
+    test_impossible();
+  });
+}
