@@ -102,7 +102,9 @@ def add_blades(frames):
                          float(np.linalg.norm(force)))
                         for tip, force in of_frame]
         frame.lines = frame.front()
-        frame.backs = [back_of(frame, line) for line in frame.lines]
+        # A blade that travels has a surface of its own.
+        frame.backs = [back_of(frame, line) for line in frame.lines
+                       if not frame.blade]
         frame.shown = [tail for _, tail, _ in frame.arrows] + frame.backs
 
 

@@ -21,6 +21,8 @@ class Frame:
     def __init__(self, run, number, field):
         self.number = number
         grid = read_grid(run.frames[number])
+        self.blade = Sheet(read_grid(run.blades[number])) \
+            if number in run.blades else None
         self.names = component_names(grid.GetPointData())
         self.cells_data, facts = (arrays(data) for data in (grid.GetCellData(),
                                                             grid.GetFieldData()))
@@ -119,6 +121,14 @@ class Frame:
         sys.exit(f"The frames have no field {field}; they have "
                  f"{', '.join([*self.names, *self.cells_data])}, and components "
                  "as stress_ZZ.")
+
+
+class Sheet:
+    """The surface of a blade that travels: its points and polygons."""
+
+    def __init__(self, grid):
+        self.points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+        self.polygons = element_points(grid)
 
 
 def magnitude(values):

@@ -52,6 +52,8 @@ class Painter:
         self.add_lines(*outline, GREY, 0.9)
         for edge, back in blade:
             self.add_blade(edge, back).GetProperty().SetOpacity(0.25)
+        if frame.blade:
+            self.add_body_of_blade(frame.blade)
         self.renderer.ResetCameraClippingRange()
         return self.picture()
 
@@ -94,6 +96,14 @@ class Painter:
             return self.add_lines(points, np.array([[0, 1]]), BLADE, 4)
         return self.add(polydata(points, np.stack(
             [i, i + 1, i + 1 + n, i + n], axis=1)), BLADE)
+
+    def add_body_of_blade(self, sheet):
+        """The blade's surface; in 2D its outline."""
+        if sheet.polygons.shape[1] == 2:
+            return self.add_lines(sheet.points, sheet.polygons, BLADE, 2)
+        actor = self.add(polydata(sheet.points, sheet.polygons), BLADE)
+        actor.GetProperty().SetOpacity(0.35)
+        return actor
 
     def picture(self):
         self.window.Render()

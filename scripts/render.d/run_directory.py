@@ -12,7 +12,9 @@ class RunDirectory:
 
     def __init__(self, path):
         self.path = path
-        self.frames = read_sequence(path)
+        shown = read_sequence(path)
+        self.frames = of_kind("frame", shown)
+        self.blades = of_kind("blade", shown)
         self.parameters = read_parameters(os.path.join(path, "parameters.prm"))
         self.statistics = read_statistics(os.path.join(path, "statistics.csv"))
         self.cuts = sorted({line["cut"] for line in self.statistics})
@@ -27,6 +29,8 @@ class RunDirectory:
         force = self.parameters.get("Force unit", "")
         if field.startswith("displacement"):
             return length
+        if field == "energy_release":
+            return f"{force}/{length}" if length and force else ""
         is_stress = field.startswith(("stress", "principal_stress", "von_Mises",
                                       "maximum_shear"))
         return f"{force}/{length}²" if is_stress and length and force else ""
@@ -35,8 +39,14 @@ class RunDirectory:
         return [line for line in self.statistics if line["frame"] == frame]
 
 
+def of_kind(kind, files):
+    """Number -> file, of the files of one kind."""
+    return {int(re.search(r"(\d+)\.p?vtu$", file).group(1)): file for file in files
+            if os.path.basename(file).startswith(kind)}
+
+
 def read_sequence(path):
-    """Frame number -> file, of the frames that cut.pvd lists."""
+    """The files that cut.pvd lists."""
     sequence = os.path.join(path, "cut.pvd")
     files = []
     if os.path.exists(sequence):
@@ -45,8 +55,7 @@ def read_sequence(path):
     if not files:
         sys.exit(f"{path} holds no frames: run a scene with Output/Frames = "
                  "every row or stages into it first.")
-    return {int(re.search(r"(\d+)\.p?vtu$", name).group(1)):
-            os.path.join(path, name) for name in files}
+    return [os.path.join(path, name) for name in files]
 
 
 def read_statistics(path):

@@ -6,6 +6,7 @@ import os
 from math import sqrt
 
 from animation import animate
+from curve import plot_curve, travels
 from film_strip import draw_film_strip
 from forces import plot_forces
 from matplotlib import pyplot as plt
@@ -28,7 +29,8 @@ def draw_sheets(run):
     panels = draw_film_strip(pictures, os.path.join(folder, "film_strip"))
     animate(files, os.path.join(folder, "animation.gif"))
     if any(line["event"] == "deform" for line in run.statistics):
-        plot_forces(run, pictures.view["title"], os.path.join(folder, "forces"))
+        plot = plot_curve if travels(run) else plot_forces
+        plot(run, pictures.view["title"], os.path.join(folder, "forces"))
     with open(os.path.join(folder, "plain", "labels.json"), "w") as file:
         json.dump({"labels": labels, "film_strip": panels}, file, indent=1)
 

@@ -43,6 +43,10 @@ def cutting_stress(run, frame):
     line, unit = loaded(run, frame), run.unit("stress")
     if not line:
         return ""
+    if run.parameters.get("Yield/Criterion") == "energy release":
+        unit = run.unit("energy_release")
+        return (f"energy release {line['cutting_stress']:.3g} of "
+                f"{line['required_stress']:.3g} {unit} required").replace("  ", " ")
     return (f"cutting stress {line['cutting_stress']:.3g} of "
             f"{line['required_stress']:.3g} {unit} required").replace("  ", " ")
 

@@ -259,6 +259,18 @@ MaterialParameters<dim>::smallest_toughness() const
 
 
 template <int dim>
+double
+MaterialParameters<dim>::smallest_youngs_modulus() const
+{
+  double result = std::numeric_limits<double>::max();
+  for (const auto &material : materials)
+    result = std::min(result, material.linear().youngs_modulus());
+  return result;
+}
+
+
+
+template <int dim>
 bool
 MaterialParameters<dim>::any_is_mixed() const
 {

@@ -166,7 +166,8 @@ find_results(const fs::path &path)
     path,
     std::regex(
       R"(parameters\.prm|checkpoint|cut\.pvd|statistics\.csv|nodes_\d+\.csv|)"
-      R"(stage_\d+\.(inp|csv)|frame_\d+(\.\d+)?\.p?vtu|piece_\d+\.(msh|vtu)|)"
+      R"(stage_\d+\.(inp|csv)|frame_\d+(\.\d+)?\.p?vtu|blade_\d+\.vtu|)"
+      R"(piece_\d+\.(msh|vtu)|)"
       R"(pieces\.csv|validation\.vtu)"));
 }
 

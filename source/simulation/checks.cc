@@ -100,10 +100,7 @@ checked_balance(const CutBody<dim> &body,
 
 template <int dim>
 WallOverlap<dim>
-evaluate_state(const CutBody<dim> &body,
-               const BladeLoad<dim> &blade,
-               const State<dim> &state,
-               Event &event)
+evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
 {
   event.load_factor    = state.load_factor;
   event.cutting_stress = state.stress.reached;
@@ -112,11 +109,22 @@ evaluate_state(const CutBody<dim> &body,
     event.required_stress = state.stress.required;
   event.pieces                        = body.n_pieces();
   event.blade_force                   = 0;
-  std::vector<PointForce<dim>> forces = blade.forces;
+  std::vector<PointForce<dim>> forces = state.blade.forces;
   for (auto &force : forces)
     {
       force.force *= state.load_factor;
       event.blade_force += force.force * body.cut().edge.direction;
+    }
+  if (state.motion)
+    {
+      BladeMotion before = event.motion.value_or(BladeMotion());
+      // In a new cut it begins anew.
+      if (state.motion->travel < before.travel)
+        before.travel = 0;
+      const double moved = state.motion->travel - before.travel;
+      if (moved > 0)
+        event.mean_force = (state.motion->work - before.work) / moved;
+      event.motion = state.motion;
     }
   event.strain_energy    = state.strain_energy;
   event.potential_energy = state.potential_energy;
@@ -189,17 +197,11 @@ check_energy_of_split(const CutBody<dim> &body,
 
 
 template WallOverlap<2>
-evaluate_state(const CutBody<2> &,
-               const BladeLoad<2> &,
-               const State<2> &,
-               Event &);
+evaluate_state(const CutBody<2> &, const State<2> &, Event &);
 template void
 check_energy_of_split(const CutBody<2> &, const State<2> &, const State<2> &);
 template WallOverlap<3>
-evaluate_state(const CutBody<3> &,
-               const BladeLoad<3> &,
-               const State<3> &,
-               Event &);
+evaluate_state(const CutBody<3> &, const State<3> &, Event &);
 template void
 check_energy_of_split(const CutBody<3> &, const State<3> &, const State<3> &);
 } // namespace Setsudan

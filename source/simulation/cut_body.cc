@@ -222,7 +222,9 @@ template <int dim>
 PairState
 CutBody<dim>::split_state() const
 {
-  return the_scene.division.opens ? PairState::opened : PairState::free;
+  return the_scene.division.opens && !the_scene.blade.travels
+           ? PairState::opened
+           : PairState::free;
 }
 
 

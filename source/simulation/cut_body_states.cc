@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/cut_body.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 
 // The constraints of a body's states, and the solvers under them.
 
@@ -81,7 +82,8 @@ CutBody<dim>::cut_strategy() const
   CutSize size;
   if (newest_seam && !is_finished)
     size = {static_cast<unsigned int>(newest_seam->rows().size()),
-            2 * dim * newest_seam->n_double_pairs()};
+            2 * dim * newest_seam->n_double_pairs(),
+            the_scene.blade.travels};
   return choose_cut_strategy(
     the_scene.solver, size_of(present_model->discretization), size);
 }
@@ -107,7 +109,8 @@ CutBody<dim>::stages() const
   stages.n_rows = newest_seam->rows().size();
   // Where a piece comes loose constraints change by more than a row, and a
   // criterion may look at states beside those of the cut.
-  stages.are_known = severed.all_held() && !the_scene.yield.needs_seam();
+  stages.are_known = severed.all_held() &&
+                     (the_scene.blade.travels || !the_scene.yield.needs_seam());
   stages.interface_unknowns = [this] {
     return newest_seam->coupled_indices(
       present_model->discretization.dof_handler.n_dofs());
@@ -161,6 +164,31 @@ CutBody<dim>::solver_without(const unsigned int row)
 
 
 
+template <int dim>
+std::shared_ptr<CondensedSolver<dim>>
+CutBody<dim>::condensed_solver(const unsigned int n_split)
+{
+  const auto solver = std::dynamic_pointer_cast<CondensedSolver<dim>>(
+    this->solver(std::make_shared<const Constraints>(
+      constraints(newest_seam->states_after(n_split, split_state())))));
+  if (!solver)
+    throw SolverError(
+      "The blade's contact cannot be found on the unknowns of this cut, since "
+      "they are tied to others. Set Blade/Drive = force.");
+  return solver;
+}
+
+
+
+template <int dim>
+std::shared_ptr<CondensedSolver<dim>>
+CutBody<dim>::condensed_solver()
+{
+  return condensed_solver(n_split_rows);
+}
+
+
+
 #define INSTANTIATE(dim)                                                      \
   template CutBody<dim>::Constraints CutBody<dim>::constraints_without_seam() \
     const;                                                                    \
@@ -176,7 +204,11 @@ CutBody<dim>::solver_without(const unsigned int row)
     std::shared_ptr<const Constraints>);                                      \
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver();             \
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver_without(       \
-    const unsigned int);
+    const unsigned int);                                                      \
+  template std::shared_ptr<CondensedSolver<dim>>                              \
+  CutBody<dim>::condensed_solver();                                           \
+  template std::shared_ptr<CondensedSolver<dim>>                              \
+  CutBody<dim>::condensed_solver(const unsigned int);
 
 INSTANTIATE(2)
 INSTANTIATE(3)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/simulation/blade_travel.h>
 #include <setsudan/simulation/drive.h>
 
 namespace Setsudan
@@ -14,10 +15,10 @@ public:
 
   State<dim>
   advance(CutBody<dim> &body,
-          const BladeLoad<dim> &blade,
-          const State<dim> &from) const override
+          const unsigned int row,
+          const State<dim> &from) override
   {
-    return this->checked_state(body, blade, 1, from);
+    return this->checked_state(body, row, 1, from);
   }
 };
 
@@ -34,12 +35,12 @@ public:
 
   State<dim>
   advance(CutBody<dim> &body,
-          const BladeLoad<dim> &blade,
-          const State<dim> &from) const override
+          const unsigned int row,
+          const State<dim> &from) override
   {
-    return this->is_checked(*blade.row)
-             ? ramp(body, blade)
-             : this->checked_state(body, blade, from.load_factor, from);
+    return this->is_checked(row)
+             ? ramp(body, body.blade_on_row(row))
+             : this->checked_state(body, row, from.load_factor, from);
   }
 
 private:
@@ -85,12 +86,32 @@ Drive<dim>::Drive(const Scene<dim> &scene)
 
 
 template <int dim>
-std::unique_ptr<const Drive<dim>>
+std::unique_ptr<Drive<dim>>
 Drive<dim>::make(const Scene<dim> &scene)
 {
+  if (scene.blade.travels)
+    return std::make_unique<BladeTravel<dim>>(scene);
   if (scene.division.load_control == DivisionParameters::LoadControl::ramp)
     return std::make_unique<ForceRamp<dim>>(scene);
   return std::make_unique<ConstantForce<dim>>(scene);
+}
+
+
+
+template <int dim>
+std::optional<State<dim>>
+Drive<dim>::settle(CutBody<dim> &, const unsigned int, const State<dim> &)
+{
+  return {};
+}
+
+
+
+template <int dim>
+State<dim>
+Drive<dim>::finish(CutBody<dim> &body, const State<dim> &from)
+{
+  return solve_state(body, no_blade(body.model()), 0, from.displacement);
 }
 
 
@@ -107,13 +128,14 @@ Drive<dim>::is_checked(const unsigned int row) const
 template <int dim>
 State<dim>
 Drive<dim>::checked_state(CutBody<dim> &body,
-                          const BladeLoad<dim> &blade,
+                          const unsigned int row,
                           const double load_factor,
                           const State<dim> &from) const
 {
-  State<dim> state = solve_state(body, blade, load_factor, from.displacement);
-  check_yield(body, *blade.row, state);
-  state.yields = state.yields || !is_checked(*blade.row);
+  State<dim> state =
+    solve_state(body, body.blade_on_row(row), load_factor, from.displacement);
+  check_yield(body, row, state);
+  state.yields = state.yields || !is_checked(row);
   return state;
 }
 

@@ -2,6 +2,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/body/joints.h>
+#include <setsudan/cut/yield/cutting_stress.h>
 #include <setsudan/simulation/messages.h>
 
 #include <algorithm>
@@ -83,6 +84,31 @@ describe_cut(const CutBody<dim> &body, const unsigned int cut)
 
 
 template <int dim>
+std::optional<std::string>
+describe_resolution(const CutBody<dim> &body)
+{
+  const Scene<dim> &scene = body.scene();
+  const auto &rows        = body.seam().rows();
+  if (!scene.blade.travels || rows.size() < 2)
+    return {};
+  const double length =
+    requirement(scene.material.smallest_toughness(), scene.blade.sharpness) /
+    scene.material.smallest_youngs_modulus();
+  const double row = rows[1].depth - rows[0].depth;
+  if (row <= length)
+    return {};
+  std::ostringstream line;
+  line.precision(3);
+  line << "  rows of " << row << " " << scene.length_unit
+       << " are longer than toughness/Young's modulus = " << length
+       << ": between two events the force rises and falls with the elements, "
+          "and mean_force is what to compare.";
+  return line.str();
+}
+
+
+
+template <int dim>
 std::string
 describe_roughness(const Cut<dim> &cut)
 {
@@ -129,10 +155,15 @@ describe_arrest(const Scene<dim> &scene,
 {
   std::ostringstream line;
   line.precision(6);
-  line << "Arrested at row " << event.row + 1 << " of " << n_rows << ": the "
-       << scene.yield.quantity() << " reached " << event.cutting_stress
-       << " and " << event.required_stress << " is required, at load factor "
-       << event.load_factor;
+  line << "Arrested at row " << event.row + 1 << " of " << n_rows << ": ";
+  if (event.motion)
+    return line.str() +
+           "however far the blade travels, no split of the next rows sets free "
+           "what their area takes. Let more rows split at once "
+           "(Division/Look-ahead).";
+  line << "the " << scene.yield.quantity() << " reached "
+       << event.cutting_stress << " and " << event.required_stress
+       << " is required, at load factor " << event.load_factor;
   if (scene.division.load_control == DivisionParameters::LoadControl::ramp)
     line << ", the largest that Division/Maximum load factor allows";
   return line.str() + ".";
@@ -177,6 +208,10 @@ template std::vector<std::string>
 describe_open_joints(const Scene<3> &);
 template std::string
 describe_cut(const CutBody<2> &, const unsigned int);
+template std::optional<std::string>
+describe_resolution(const CutBody<2> &);
+template std::optional<std::string>
+describe_resolution(const CutBody<3> &);
 template std::string
 describe_cut(const CutBody<3> &, const unsigned int);
 template std::string

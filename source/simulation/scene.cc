@@ -136,6 +136,53 @@ check_supports(const Parameters &parameters,
                       "the node at " +
                         text_of(*node) + " they do not");
 }
+
+/** Refuse what a blade that travels cannot do. */
+template <int dim>
+void
+check_travel(const Parameters &parameters, const Scene<dim> &scene)
+{
+  const auto require = [&](const bool holds,
+                           const std::string &subsection,
+                           const std::string &name,
+                           const std::string &allowed) {
+    parameters.require(
+      holds, subsection, name, allowed + " where Blade/Drive is travel");
+  };
+  require(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1,
+          "Blade",
+          "Drive",
+          "force on several processes; one process is what runs");
+  require(!scene.cut.cuts.empty(), "Cut", "Surfaces", "a cut");
+  for (const auto &loads : scene.blade.edge_loads)
+    require(loads.empty(),
+            "Blade",
+            "Edge loads",
+            "nothing, since the force is the reaction,");
+  require(scene.blade.thickness < scene.body.mesh.extent() ||
+            scene.blade.profile.facets.empty(),
+          "Blade",
+          "Thickness",
+          "less than the size of the body");
+  require(scene.yield.criterion == YieldParameters::Criterion::energy_release,
+          "Yield",
+          "Criterion",
+          "energy release");
+  require(scene.yield.check == YieldParameters::Check::every_row,
+          "Yield",
+          "Check",
+          "every row");
+  require(scene.division.load_control ==
+            DivisionParameters::LoadControl::constant,
+          "Division",
+          "Load control",
+          "constant");
+  require(scene.solver.cut_solve != SolverParameters::CutSolve::row_by_row,
+          "Division",
+          "Solve",
+          "auto or condensed");
+  require(scene.accuracy.target == 0, "Accuracy", "Target", "0");
+}
 } // namespace
 
 
@@ -162,6 +209,8 @@ Scene<dim>::Scene(const Parameters &parameters)
              cut,
              estimate_size(body_parameters, body, cut, solver));
   check_supports(parameters, body, supports);
+  if (blade.travels)
+    check_travel(parameters, *this);
   // The path of the body's file changes with the directory: it may be none that
   // parameters.prm can hold.
   text_in(output.directory, parameters);

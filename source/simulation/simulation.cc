@@ -123,7 +123,12 @@ Simulation<dim>::make_cut_from(const unsigned int first_row)
         }
       if (row == 0 && !scene.yield.needs_seam())
         split_nodes();
+      const unsigned int n_rows =
+        state.motion ? state.motion->n_rows_to_split : 1;
+      for (unsigned int i = 1; i < n_rows; ++i)
+        release_row(row++);
       release_row(row);
+      settle(row + 1);
     }
   finish_cut();
   return true;
@@ -186,8 +191,10 @@ Simulation<dim>::rest()
   event.required_stress = scene.criterion->smallest_requirement();
   if (scene.accuracy.estimate)
     event.errors = std::array<double, 2>{{0., 0.}};
+  if (scene.blade.travels)
+    event.motion = BladeMotion();
   results.record("rest", event);
-  results.write_state(body, state, no_blade(body.model()), event, true);
+  results.write_state(body, state, event, true);
 }
 
 
@@ -200,9 +207,9 @@ Simulation<dim>::deform_only()
     results.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
-  accept(solve(no_blade(body.model()), 0), no_blade(body.model()));
+  accept(solve(no_blade(body.model()), 0));
   results.record("deform", event);
-  results.write_state(body, state, no_blade(body.model()), event, true);
+  results.write_state(body, state, event, true);
 }
 
 
@@ -224,6 +231,8 @@ Simulation<dim>::begin_cut(const unsigned int cut)
   event.released_rows = 0;
   results.warn_anew();
   results.progress.info(describe_cut(body, cut));
+  if (const auto line = describe_resolution(body))
+    results.progress.info(*line);
   if (chosen.surface.n_open > 0)
     results.progress.info("  " + std::to_string(chosen.surface.n_open) +
                           " element faces of it lie on the surface of the "
@@ -240,14 +249,13 @@ template <int dim>
 void
 Simulation<dim>::deform(const unsigned int row)
 {
-  const auto blade   = body.blade_on_row(row);
   const auto advance = [&] {
     const TimerOutput::Scope section(timer, "solve");
-    return drive->advance(body, blade, state);
+    return drive->advance(body, row, state);
   };
-  accept(advance(), blade);
+  accept(advance());
 
-  if (row > 0)
+  if (row > 0 && !state.motion)
     results.record("release", event);
   event.row        = row;
   event.depth      = body.seam().rows()[row].depth;
@@ -256,7 +264,6 @@ Simulation<dim>::deform(const unsigned int row)
   results.show_row(event, body.seam().rows().size());
   results.write_state(body,
                       state,
-                      blade,
                       event,
                       row == 0 || row + 1 == body.seam().rows().size() ||
                         !state.yields);
@@ -332,6 +339,24 @@ Simulation<dim>::release_row(const unsigned int row)
 
 template <int dim>
 void
+Simulation<dim>::settle(const unsigned int row)
+{
+  const auto settled = [&] {
+    const TimerOutput::Scope section(timer, "solve");
+    return drive->settle(body, row, state);
+  };
+  if (auto settled_state = settled())
+    {
+      accept(std::move(*settled_state));
+      results.record("release", event);
+      results.write_state(body, state, event, false);
+    }
+}
+
+
+
+template <int dim>
+void
 Simulation<dim>::say_what_is_loose(const std::vector<FloatingPiece> &known)
 {
   for (const auto &line : describe_loose_pieces(body, known))
@@ -347,10 +372,15 @@ Simulation<dim>::finish_cut()
   const auto known = body.floating_pieces();
   body.finish_cut();
   say_what_is_loose(known);
-  accept(solve(no_blade(body.model()), 0), no_blade(body.model()));
-  results.record("release", event);
+  const auto finished = [&] {
+    const TimerOutput::Scope section(timer, "solve");
+    return drive->finish(body, state);
+  };
+  accept(finished());
+  if (!state.motion)
+    results.record("release", event);
   results.record("divide", event);
-  results.write_state(body, state, no_blade(body.model()), event, true);
+  results.write_state(body, state, event, true);
   results.write_pieces(body, state);
 }
 
@@ -368,15 +398,15 @@ Simulation<dim>::solve(const BladeLoad<dim> &blade, const double load_factor)
 
 template <int dim>
 void
-Simulation<dim>::accept(State<dim> &&new_state, const BladeLoad<dim> &blade)
+Simulation<dim>::accept(State<dim> &&new_state)
 {
   const TimerOutput::Scope section(timer, "check state");
   event.frame        = n_frames++;
-  const auto overlap = evaluate_state(body, blade, new_state, event);
+  const auto overlap = evaluate_state(body, new_state, event);
   if (scene.accuracy.estimate)
     {
       const StateError error =
-        estimate_error_of_state(body, blade.row, new_state);
+        estimate_error_of_state(body, new_state.blade.row, new_state);
       event.errors = std::array<double, 2>{
         {error.energy.relative_energy, error.cutting_stress}};
       new_state.error_squares = error.energy.squares;

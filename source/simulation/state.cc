@@ -11,6 +11,7 @@ State<dim>
 rest_state(const CutBody<dim> &body)
 {
   State<dim> state;
+  state.blade = no_blade(body.model());
   for (LA::Vector *part :
        {&state.displacement, &state.opening, &state.forces, &state.internal})
     *part = body.model().discretization.zero_vector();
@@ -26,6 +27,7 @@ loaded_state(const CutBody<dim> &body,
              const double load_factor)
 {
   State<dim> state  = rest_state(body);
+  state.blade       = blade;
   state.load_factor = load_factor;
   state.forces      = body.model().loads;
   state.forces.add(load_factor, blade.nodal_forces);

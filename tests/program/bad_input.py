@@ -9,7 +9,7 @@ import sys
 
 from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
 from program_cases import wrong_text, wrong_value
-from wrong_values import WRONG_VALUES
+from wrong_values import TRAVEL, WRONG_TRAVEL, WRONG_VALUES
 
 GOOD_TEXT, LINES = scene_text(SCENE)
 N_LINES = len(GOOD_TEXT.splitlines())
@@ -137,6 +137,12 @@ def support():
     )
 
 
+def travel():
+    for base in (SCENE, PLANE_SCENE):
+        for path, value, allowed in WRONG_TRAVEL:
+            yield wrong_value(path, value, allowed, {**base, **TRAVEL})
+
+
 def cases(group):
     for dimension, base in ((3, SCENE), (2, PLANE_SCENE)):
         for path, value, allowed, *also in WRONG_VALUES.get((group, dimension), []):
@@ -147,6 +153,7 @@ def cases(group):
         "options": options,
         "support": support,
         "output": output,
+        "travel": travel,
     }
     yield from special.get(group, lambda: [])()
 

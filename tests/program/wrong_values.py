@@ -161,6 +161,9 @@ WRONG_VALUES = {
         ("Blade/Sharpness", "abc", PATTERN),
         ("Blade/Sharpness", "nan", PATTERN),
         ("Blade/Thickness", "-0.2", "not negative"),
+        ("Blade/Shape", "wedge", "line where Blade/Drive is force"),
+        ("Blade/Friction", "0.1", "0 where Blade/Drive is force"),
+        ("Blade/Slice-push ratio", "1", "0 where Blade/Drive is force"),
         ("Blade/Direction", "0, 1, 0", "of 'y:1' is 90 degrees off"),
         ("Blade/Direction", "0, 1.1, -1", "up to 45 degrees off it; that of 'y:1'"),
         ("Blade/Direction", "0, 1.001, -1", "is 45.03 degrees off"),
@@ -182,6 +185,7 @@ WRONG_VALUES = {
         ("Blade/Edge loads", "0:inf", EDGE_LOADS),
     ],
     ("blade", 2): [
+        ("Blade/Slice-push ratio", "1", "0 in 2D", {"Blade/Drive": "travel"}),
         ("Blade/Edge loads", "5:10", "position 0"),
         ("Blade/Direction", "0, 0, -1", "2"),
         ("Blade/Direction", "1, 0", "of 'x:1' is 90 degrees off"),
@@ -258,3 +262,32 @@ WRONG_VALUES = {
         ("Solver/Maximum iterations", "0", PATTERN),
     ],
 }
+
+# A blade that travels, and what it cannot go with.
+TRAVEL = {
+    "Blade/Drive": "travel", "Blade/Shape": "wedge", "Blade/Edge loads": "",
+    "Blade/Thickness": "1", "Yield/Criterion": "energy release",
+    "Material/Toughness": "0.01",
+}
+WRONG_TRAVEL = [
+    ("Blade/Friction", "-0.1", "not negative"),
+    ("Blade/Friction", "nan", PATTERN),
+    ("Blade/Slice-push ratio", "-1", "not negative"),
+    ("Blade/Edge grip", "-1", "not negative"),
+    ("Blade/Edge grip", "firm", ""),
+    ("Blade/Wedge angle", "0", "more than 0 and less than 180"),
+    ("Blade/Wedge angle", "180", "more than 0 and less than 180"),
+    ("Blade/Thickness", "0", "more than 0, for a wedge"),
+    ("Blade/Thickness", "50", "less than the size of the body"),
+    ("Blade/Shoulder radius", "-1", "from 0 to"),
+    ("Blade/Shoulder radius", "1e3", "no length left"),
+    ("Blade/Shape", "axe", PATTERN),
+    ("Blade/Edge loads", "0:1", "nothing, since the force is the reaction"),
+    ("Yield/Criterion", "maximum shear", "energy release where Blade/Drive"),
+    ("Yield/Check", "once", "every row where Blade/Drive"),
+    ("Division/Load control", "ramp", "constant where Blade/Drive"),
+    ("Division/Solve", "every row anew", "auto or condensed where Blade/Drive"),
+    ("Division/Look-ahead", "-1", PATTERN),
+    ("Cut/Surfaces", "", "a cut where Blade/Drive"),
+    ("Accuracy/Target", "0.1", "0 where Blade/Drive"),
+]

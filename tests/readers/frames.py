@@ -6,8 +6,8 @@ usage: frames.py PROGRAM [MPIEXEC [PROCESSES]]
 
 import math
 
-from runs import (BODIES, CASES, CROSSED, CUBE, FAR, LINEAR, QUADRATIC, REFINED, Run,
-                  cube, main, square)
+from runs import (BODIES, CASES, CROSSED, CUBE, FAR, LINEAR, QUADRATIC, REFINED, TRAVEL,
+                  Run, cube, main, square)
 from tables import read
 
 VECTOR, TENSOR = "XYZ", ("XX", "YY", "ZZ", "XY", "YZ", "XZ")
@@ -169,10 +169,30 @@ def frame_problems(run, grid, time, lines, table):
         yield from expected_arrays(grid.cell_data, expected, len(grid.kinds), "cells")
 
 
+def surface_problems(run, grid, lines):
+    """A surface of quadrilaterals, or lines, whose edge is where the blade is."""
+    if set(grid.kinds) != {9 if run.dimension == 3 else 3}:
+        yield f"cells of the kinds {set(grid.kinds)}"
+    axis = run.dimension - 1
+    edge = min(point[axis] for point in grid.points)
+    expected = run.box[1][axis] - float(lines[-1]["travel"])
+    if abs(edge - expected) > 1e-6 * run.box[1][axis]:
+        yield f"its edge is at {edge} instead of {expected}"
+
+
 def check(run, output):
     """All frames of a run, and its pieces in the last one."""
     lines = read(output / "statistics.csv")
-    frames = frames_of(output / "cut.pvd")
+    shown = frames_of(output / "cut.pvd")
+    frames = [(time, path) for time, path in shown if path.name.startswith("frame")]
+    for time, path in shown:
+        if path.name.startswith("blade"):
+            problems = surface_problems(run, Grid(path), [
+                line for line in lines if path.stem == f"blade_{int(line['frame']):04}"])
+            yield from (f"{path.name}: {problem}" for problem in problems)
+    # There is no blade in the first and in the last one.
+    if "travel" in lines[0] and len(shown) != 2 * len(frames) - 2:
+        yield f"{len(shown) - len(frames)} blades with {len(frames)} frames"
     if len(frames) != len({line["frame"] for line in lines}):
         yield f"{len(frames)} frames in cut.pvd"
     for number, (time, path) in enumerate(frames):
@@ -202,7 +222,9 @@ RUNS = [
     cube("crossing cuts", CROSSED, pieces=4, cells=4),
     cube("an estimate", settings=["Accuracy/Estimate=true"], cells=8),
     cube("far away", FAR, shift=(500000, 5000000, 0), cells=8),
+    cube("a blade that travels", TRAVEL, cells=8, is_serial=True),
     square("square", cells=4),
+    square("a blade that travels through a square", TRAVEL, cells=4, is_serial=True),
     square("linear square", LINEAR, cells=4),
     square("quadratic square", QUADRATIC, cells=4),
     square("refined square", {"Cut/Refinement near cut": "1"}),

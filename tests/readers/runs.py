@@ -41,6 +41,10 @@ LINEAR, QUADRATIC = ({"Body/Element type": kind} for kind in ("linear", "quadrat
 REFINED = {"Cut/Refinement near cut": "1", "Body/Elements": "3, 4, 2",
            "Cut/Surfaces": "y:2"}
 CROSSED = {"Body/Elements": "2, 2, 1", "Cut/Surfaces": "y:1; x:1"}
+TRAVEL = {"Blade/Drive": "travel", "Blade/Edge loads": "", "Blade/Shape": "wedge",
+          "Blade/Thickness": "0.1", "Blade/Shoulder radius": "0.1",
+          "Blade/Sharpness": "0", "Material/Toughness": "1e-5",
+          "Yield/Criterion": "energy release"}
 FAR = {"Body/Translate": "500000, 5000000, 0",
        "Blade/Edge loads": "500000.5:0.01, 500001.5:0.02"}
 BODIES = TESTS.parent / "prm" / "bodies"
@@ -60,6 +64,8 @@ class Run(NamedTuple):
     # How exact volumes by VTK are: it takes curved cells for straight ones.
     tolerance: float = 1e-6
     settings: Sequence[str] = ()
+    # Whether it does not run on several processes.
+    is_serial: bool = False
 
     @property
     def dimension(self):
@@ -72,10 +78,10 @@ def cube(name, *changes, pieces=2, cells=0, shift=(0, 0, 0), **more):
     return Run(name, values, 8, (shift, high), pieces, cells, **more)
 
 
-def square(name, *changes, pieces=2, cells=0):
+def square(name, *changes, pieces=2, cells=0, **more):
     values = {key: value for change in (SQUARE, *changes)
               for key, value in change.items()}
-    return Run(name, values, 4, ((0, 0), (2, 2)), pieces, cells)
+    return Run(name, values, 4, ((0, 0), (2, 2)), pieces, cells, **more)
 
 
 def start(options, run, directory):
@@ -112,6 +118,8 @@ def main(test, runs, modules=("vtkmodules",)):
             sys.exit(SKIPPED)
     n_problems = 0
     for run in runs:
+        if run.is_serial and options.processes > 1:
+            continue
         with tempfile.TemporaryDirectory() as name:
             try:
                 output = start(options, run, pathlib.Path(name))

@@ -76,6 +76,18 @@ class State:
         return sum(values) / len(values)
 
 
+def run_table(options, settings):
+    """The statistics of a scene."""
+    with tempfile.TemporaryDirectory() as directory:
+        directory = pathlib.Path(directory)
+        scene = directory / "scene.prm"
+        scene.write_text("")
+        program.run(options, scene, directory / "results",
+                    [f"{name}={value}" for name, value in settings.items()] +
+                    list(program.QUIET))
+        return tables.read(directory / "results" / "statistics.csv")
+
+
 def solve_all(options, settings, body=None):
     """The states of a scene before each row of its cut; `body` is written and read."""
     with tempfile.TemporaryDirectory() as directory:

@@ -12,6 +12,7 @@ import re
 import sys
 
 import beams
+import blade
 import cantilever
 import cylinder
 import manufactured
@@ -24,7 +25,7 @@ import thick_plate
 from problems import program
 
 CASES = [module.CASE for module in (patch, thick_plate, beams, cylinder, membrane,
-                                    sphere, point_load, cantilever,
+                                    sphere, point_load, cantilever, blade,
                                     manufactured)]
 HERE = pathlib.Path(__file__).resolve().parent
 # How well another machine must repeat a number of the document.

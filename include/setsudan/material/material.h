@@ -29,6 +29,12 @@ public:
   stress(const dealii::SymmetricTensor<2, dim> &strain,
          const double dilatation) const;
 
+  double
+  youngs_modulus() const
+  {
+    return mu * (3 * lambda + 2 * mu) / (lambda + mu);
+  }
+
   /** Lamé's constants [force/area]. */
   const double lambda;
   const double mu;

@@ -56,6 +56,10 @@ public:
   double
   smallest_toughness() const;
 
+  /** The smallest Young's modulus of all, whose laws are linear. */
+  double
+  smallest_youngs_modulus() const;
+
   /** Whether some of the materials need the mixed formulation. */
   bool
   any_is_mixed() const;

@@ -20,10 +20,7 @@ namespace Setsudan
  */
 template <int dim>
 WallOverlap<dim>
-evaluate_state(const CutBody<dim> &body,
-               const BladeLoad<dim> &blade,
-               const State<dim> &state,
-               Event &event);
+evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event);
 
 /**
  * Assert that letting go of constraints has not raised the potential energy

@@ -122,6 +122,13 @@ public:
     return *begun_cuts.back().cut;
   }
 
+  /** The faces that it opens. */
+  const CutSurface<dim> &
+  surface() const
+  {
+    return begun_cuts.back().surface;
+  }
+
   /** The seam of the newest cut, and its pairs' states now. */
   const Seam<dim> &
   seam() const override
@@ -202,6 +209,15 @@ public:
 
   std::shared_ptr<TangentSolver>
   solver_without(const unsigned int row) override;
+
+  /** The solver of all states of the newest cut, in the present one, or while
+   * its first rows are split.
+   *
+   * @throw SolverError where these states are not solved together. */
+  std::shared_ptr<CondensedSolver<dim>>
+  condensed_solver();
+  std::shared_ptr<CondensedSolver<dim>>
+  condensed_solver(const unsigned int n_split);
 
   /** How a single state is solved, and how those of the newest cut. */
   Choice<SolverKind>

@@ -4,6 +4,7 @@
 #include <setsudan/simulation/state.h>
 
 #include <memory>
+#include <optional>
 
 namespace Setsudan
 {
@@ -18,7 +19,7 @@ public:
   /** The drive that Division/Load control asks for.
    *
    * @param scene must live as long. */
-  static std::unique_ptr<const Drive<dim>>
+  static std::unique_ptr<Drive<dim>>
   make(const Scene<dim> &scene);
 
   explicit Drive(const Scene<dim> &scene);
@@ -32,8 +33,19 @@ public:
    */
   virtual State<dim>
   advance(CutBody<dim> &body,
-          const BladeLoad<dim> &blade,
-          const State<dim> &from) const = 0;
+          const unsigned int row,
+          const State<dim> &from) = 0;
+
+  /** The state right behind a split, in which the blade is where it was;
+   * nothing where it has gone on to the next row by then.
+   *
+   * @param row the front now. */
+  virtual std::optional<State<dim>>
+  settle(CutBody<dim> &body, const unsigned int row, const State<dim> &from);
+
+  /** The state without the blade, behind the last row. */
+  virtual State<dim>
+  finish(CutBody<dim> &body, const State<dim> &from);
 
   /** Whether the division waits for a row to yield. */
   bool
@@ -43,7 +55,7 @@ protected:
   /** The state at a load factor, with its cutting stress. */
   State<dim>
   checked_state(CutBody<dim> &body,
-                const BladeLoad<dim> &blade,
+                const unsigned int row,
                 const double load_factor,
                 const State<dim> &from) const;
 

@@ -4,6 +4,7 @@
 #include <setsudan/output/tables/statistics.h>
 #include <setsudan/simulation/cut_body.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ describe_open_joints(const Scene<dim> &scene);
 template <int dim>
 std::string
 describe_cut(const CutBody<dim> &body, const unsigned int cut);
+
+/** Whether elements are too large to tell the force of a blade that travels at
+ * every moment; nothing where they are not. */
+template <int dim>
+std::optional<std::string>
+describe_resolution(const CutBody<dim> &body);
 
 /** How badly the elements follow the surface of a cut, and what to change. */
 template <int dim>

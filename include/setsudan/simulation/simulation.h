@@ -86,6 +86,11 @@ private:
   void
   release_row(const unsigned int row);
 
+  /** Take the state in which a blade that travels stands where it was, with the
+   * front on this row. */
+  void
+  settle(const unsigned int row);
+
   void
   finish_cut();
 
@@ -99,7 +104,7 @@ private:
 
   /** Take a solved state, and check what must hold from the last to it. */
   void
-  accept(State<dim> &&new_state, const BladeLoad<dim> &blade);
+  accept(State<dim> &&new_state);
 
   const Scene<dim> &scene;
   dealii::TimerOutput &timer;
@@ -107,7 +112,7 @@ private:
   ResultsWriter<dim> results;
   CheckpointSchedule checkpoints;
   CutBody<dim> body;
-  const std::unique_ptr<const Drive<dim>> drive;
+  const std::unique_ptr<Drive<dim>> drive;
   State<dim> state;
   Event event;
   unsigned int n_frames = 1;

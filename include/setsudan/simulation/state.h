@@ -3,7 +3,10 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <setsudan/blade/blade_motion.h>
 #include <setsudan/simulation/cut_body.h>
+
+#include <optional>
 
 namespace Setsudan
 {
@@ -11,6 +14,8 @@ namespace Setsudan
 template <int dim>
 struct State
 {
+  /** The blade, which acts times the load factor. */
+  BladeLoad<dim> blade;
   double load_factor = 0;
   LA::Vector displacement;
   /** The part of it that the blade's thickness prescribes. */
@@ -24,6 +29,8 @@ struct State
   double potential_energy = 0;
   SolveQuality quality;
   CuttingStress stress;
+  /** Of a blade that travels. */
+  std::optional<BladeMotion> motion;
   /** Whether the front row yields; set where it is asked for. */
   bool yields = false;
   /** The square of the error's energy norm in each cell, where it is estimated

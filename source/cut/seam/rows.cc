@@ -51,6 +51,15 @@ DivisionParameters::declare(ParameterHandler &handler)
                     Patterns::Double(),
                     "With ramp, the cut is arrested where more than this "
                     "multiple of the edge loads is needed; at least 0 [-].");
+  Setsudan::declare(handler,
+                    "Division",
+                    "Look-ahead",
+                    "0",
+                    Patterns::Integer(0, 1000),
+                    "With Blade/Drive = travel, how many rows may split at "
+                    "once; 0 for 4 toughness/(Young's modulus x row), at least "
+                    "2, with which a cut begins in the same way on any mesh "
+                    "[-].");
 }
 
 
@@ -65,6 +74,7 @@ DivisionParameters::DivisionParameters(const Parameters &parameters)
                    ? LoadControl::constant
                    : LoadControl::ramp)
   , max_load_factor(parameters.number("Division", "Maximum load factor"))
+  , look_ahead(parameters.natural("Division", "Look-ahead"))
 {
   parameters.require(row_tolerance >= 0 && row_tolerance < 0.5,
                      "Division",

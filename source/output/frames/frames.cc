@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <setsudan/output/frames/frames.h>
 
@@ -36,6 +36,23 @@ write_frame(const VtuGrid &content,
   directory.write(base + ".pvtu",
                   [&](std::ostream &out) { write_pvtu(content, names, out); });
 }
+
+const std::string blade_prefix = "blade_";
+
+/** Body and blade are parts of their own. */
+void
+write_sequence(const std::vector<std::pair<double, std::string>> &shown,
+               std::ostream &out)
+{
+  out.precision(12);
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
+         "version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const auto &[time, file] : shown)
+    out << "<DataSet timestep=\"" << time << "\" group=\"\" part=\""
+        << (file.rfind(blade_prefix, 0) == 0) << "\" file=\"" << file
+        << "\"/>\n";
+  out << "</Collection>\n</VTKFile>\n";
+}
 } // namespace
 
 
@@ -50,22 +67,30 @@ void
 FrameWriter::write(const unsigned int frame,
                    const double time,
                    const MPI_Comm communicator,
-                   const std::shared_ptr<const VtuGrid> &content)
+                   const std::shared_ptr<const VtuGrid> &content,
+                   const std::shared_ptr<const VtuGrid> &blade)
 {
   const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-  const std::string base     = "frame_" + Utilities::to_string(frame, 4);
+  const std::string number   = Utilities::to_string(frame, 4);
   finish();
-  sequence.emplace_back(time, base + (n_ranks == 1 ? ".vtu" : ".pvtu"));
+  sequence.emplace_back(time,
+                        "frame_" + number + (n_ranks == 1 ? ".vtu" : ".pvtu"));
+  if (blade)
+    sequence.emplace_back(time, blade_prefix + number + ".vtu");
   // MPI is not called from there.
-  pending = std::async(std::launch::async,
-                       [this, content, base, rank, n_ranks, shown = sequence] {
-                         write_frame(*content, directory, base, rank, n_ranks);
-                         if (rank == 0)
-                           directory.write("cut.pvd", [&](std::ostream &out) {
-                             DataOutBase::write_pvd_record(out, shown);
-                           });
-                       });
+  pending = std::async(
+    std::launch::async,
+    [this, content, blade, number, rank, n_ranks, shown = sequence] {
+      write_frame(*content, directory, "frame_" + number, rank, n_ranks);
+      if (rank > 0)
+        return;
+      if (blade)
+        directory.write(blade_prefix + number + ".vtu",
+                        [&](std::ostream &out) { write_vtu(*blade, out); });
+      directory.write("cut.pvd",
+                      [&](std::ostream &out) { write_sequence(shown, out); });
+    });
 }
 
 

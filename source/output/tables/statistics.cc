@@ -20,10 +20,10 @@ Statistics::Statistics(const Units units,
 
 
 std::string
-Statistics::header(const bool has_errors) const
+Statistics::header() const
 {
   std::string names, list;
-  for (const auto &column : statistics_columns(has_errors))
+  for (const auto &column : columns)
     {
       const std::string separator = names.empty() ? "" : ",";
       names += separator + column.name;
@@ -42,13 +42,13 @@ Statistics::header(const bool has_errors) const
 void
 Statistics::add(const Event &event, const OutputDirectory &directory)
 {
-  const bool has_errors = event.errors.has_value();
-  if (table.empty())
-    table = header(has_errors);
-  std::string line;
   // They do not change within a run, whose rows may take a millisecond each.
   if (columns.empty())
-    columns = statistics_columns(has_errors);
+    columns =
+      statistics_columns(event.errors.has_value(), event.motion.has_value());
+  if (table.empty())
+    table = header();
+  std::string line;
   for (const auto &column : columns)
     line += (line.empty() ? "" : ",") + column.text(event);
   table += line + "\n";

@@ -110,6 +110,72 @@ columns_of_cut()
            &Event::required_stress)};
 }
 
+/** Where a blade that travels is, and what it has done. */
+void
+add_motion(std::vector<StatisticsColumn> &columns)
+{
+  const auto add = [&](const std::string &name,
+                       const std::string &unit,
+                       const std::string &meaning,
+                       double BladeMotion::*const member) {
+    columns.push_back({name, unit, meaning, [=](const Event &event) {
+                         return digits_of(event.motion.value_or(BladeMotion()).*
+                                            member,
+                                          all_digits);
+                       }});
+  };
+  add(
+    "travel",
+    "L",
+    "How far the edge is behind the entry of the cut; these columns are there "
+    "with Blade/Drive = travel.",
+    &BladeMotion::travel);
+  columns.push_back(
+    column("mean_force",
+           "F",
+           "The blade's work over its travel, from the event "
+           "before in which it was elsewhere: the force between "
+           "two events rises and falls with the elements.",
+           &Event::mean_force));
+  add("edge_force",
+      "F",
+      "The part of blade_force that acts on the edge.",
+      &BladeMotion::edge_force);
+  add("flank_force", "F", "That on the flanks.", &BladeMotion::flank_force);
+  add("friction_force",
+      "F",
+      "The part of flank_force that is friction.",
+      &BladeMotion::friction_force);
+  add("force_along",
+      "F",
+      "The blade's force on the body along its edge, where it slices.",
+      &BladeMotion::force_along);
+  add("contact_area",
+      "L^2",
+      "On which the flanks press, both together.",
+      &BladeMotion::contact_area);
+  add("work",
+      "F L",
+      "The work of the blade since the run began.",
+      &BladeMotion::work);
+  add(
+    "surface_energy",
+    "F L",
+    "What the new surface has taken: toughness times area, less the part that "
+    "Blade/Sharpness makes up for.",
+    &BladeMotion::surface_energy);
+  add("friction_energy",
+      "F L",
+      "What friction has taken.",
+      &BladeMotion::friction_energy);
+  add(
+    "excess_energy",
+    "F L",
+    "What has been set free besides, and is lost: where rows could have split "
+    "before, and where a wall springs back from the blade's shoulder.",
+    &BladeMotion::excess_energy);
+}
+
 /** The state of the whole body. */
 std::vector<StatisticsColumn>
 columns_of_body()
@@ -162,7 +228,7 @@ columns_of_body()
 
 
 std::vector<StatisticsColumn>
-statistics_columns(const bool has_errors)
+statistics_columns(const bool has_errors, const bool travels)
 {
   auto columns       = columns_of_cut();
   const auto of_body = columns_of_body();
@@ -187,6 +253,8 @@ statistics_columns(const bool has_errors)
                      "The pieces in which the front of the row lies, joined by "
                      "'+'.",
                      pieces_of_row});
+  if (travels)
+    add_motion(columns);
   if (has_errors)
     {
       columns.push_back(
@@ -210,7 +278,7 @@ void
 document_columns(std::ostream &out)
 {
   out << "| column | unit | meaning |\n|---|---|---|\n";
-  for (const auto &column : statistics_columns(true))
+  for (const auto &column : statistics_columns(true, true))
     out << "| `" << column.name << "` | " << column.unit << " | "
         << column.meaning << " |\n";
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/output/frames/blade_surface.h>
 #include <setsudan/simulation/record/frame_facts.h>
 
 #include <algorithm>
@@ -52,12 +53,14 @@ add_blade(const CutBody<dim> &body,
           FrameFacts &facts)
 {
   const auto &pairs = body.seam().pairs();
-  Tensor<1, dim> normal;
-  for (const unsigned int pair : body.seam().rows()[*blade.row].front)
+  const auto &front = body.seam().rows()[*blade.row].front;
+  Tensor<1, dim> normal, middle, sum;
+  for (const unsigned int pair : front)
     {
       for (const auto *side : {&pairs[pair].minus, &pairs[pair].plus})
         facts.front.push_back((*side)[0]);
       normal += pairs[pair].normal;
+      middle += pairs[pair].position;
     }
   std::sort(facts.front.begin(), facts.front.end());
   std::vector<Tensor<1, dim>> points, forces;
@@ -65,6 +68,13 @@ add_blade(const CutBody<dim> &body,
     {
       points.push_back(force.point);
       forces.push_back(load_factor * force.force);
+      sum += forces.back();
+    }
+  // Contact has forces at all nodes that touch.
+  if (body.scene().blade.travels)
+    {
+      points = {middle / static_cast<double>(front.size())};
+      forces = {sum};
     }
   facts.of_state.push_back(vectors("blade_points", points));
   facts.of_state.push_back(vectors("blade_forces", forces));
@@ -82,7 +92,7 @@ add_blade(const CutBody<dim> &body,
 template <int dim>
 FrameFacts
 frame_facts(const CutBody<dim> &body,
-            const BladeLoad<dim> &blade,
+            const State<dim> &state,
             const Event &event,
             const double time)
 {
@@ -95,21 +105,67 @@ frame_facts(const CutBody<dim> &body,
     number("depth", event.depth, body.scene().length_unit),
     number("load_factor", event.load_factor),
     number("blade_force", event.blade_force, body.scene().force_unit)};
-  if (blade.row)
-    add_blade(body, blade, event.load_factor, facts);
+  if (state.blade.row)
+    add_blade(body, state.blade, event.load_factor, facts);
   return facts;
 }
 
 
 
+namespace
+{
+/** Where the edge is on its way, and how long it is: as long as the cut. */
+template <int dim>
+BladePlace<dim>
+place_of_blade(const CutBody<dim> &body, const double travel)
+{
+  const auto &edge  = body.cut().edge;
+  const auto &pairs = body.seam().pairs();
+  const Row &first  = body.seam().rows().front();
+  BladePlace<dim> place;
+  place.direction = edge.direction;
+  for (const auto &pair : pairs)
+    place.normal += pair.normal;
+  place.normal /= place.normal.norm();
+  Tensor<1, dim> along;
+  if constexpr (dim == 3)
+    along = cross_product_3d(place.normal, place.direction);
+  const Point<dim> entry = pairs[first.front.front()].position;
+  const double depth     = travel - first.depth;
+  std::array<double, 2> ends{{0., 0.}};
+  for (const auto &pair : pairs)
+    {
+      const double position = (pair.position - entry) * along;
+      ends = {{std::min(ends[0], position), std::max(ends[1], position)}};
+    }
+  const double beyond = (ends[1] - ends[0]) / 10;
+  for (unsigned int end = 0; end < 2; ++end)
+    place.edge[end] = entry + depth * edge.direction +
+                      (ends[end] + (end == 0 ? -beyond : beyond)) * along;
+  place.length = travel + body.mesh().extent() / 5;
+  return place;
+}
+} // namespace
+
+
+template <int dim>
+std::shared_ptr<const VtuGrid>
+blade_of_state(const CutBody<dim> &body, const State<dim> &state)
+{
+  if (!state.motion || !state.blade.row)
+    return nullptr;
+  return std::make_shared<const VtuGrid>(blade_surface(
+    body.scene().blade.profile, place_of_blade(body, state.motion->travel)));
+}
+
+
+
+template std::shared_ptr<const VtuGrid>
+blade_of_state(const CutBody<2> &, const State<2> &);
+template std::shared_ptr<const VtuGrid>
+blade_of_state(const CutBody<3> &, const State<3> &);
 template FrameFacts
-frame_facts(const CutBody<2> &,
-            const BladeLoad<2> &,
-            const Event &,
-            const double);
+frame_facts(const CutBody<2> &, const State<2> &, const Event &, const double);
 template FrameFacts
-frame_facts(const CutBody<3> &,
-            const BladeLoad<3> &,
-            const Event &,
-            const double);
+frame_facts(const CutBody<3> &, const State<3> &, const Event &, const double);
 } // namespace Setsudan

@@ -174,8 +174,12 @@ ResultsWriter<dim>::next_time(const Event &event)
     return event.frame;
   if (event.cut != framed_at.first)
     earlier_depths += framed_at.second;
-  framed_at         = {event.cut, event.depth};
-  const double time = earlier_depths + event.depth;
+  const double way =
+    event.motion && scene.output.time == OutputParameters::Time::travel
+      ? event.motion->travel
+      : event.depth;
+  framed_at         = {event.cut, way};
+  const double time = earlier_depths + way;
   if (frames.sequence.empty())
     return time;
   return std::max(
@@ -188,7 +192,6 @@ template <int dim>
 void
 ResultsWriter<dim>::write_state(const CutBody<dim> &body,
                                 const State<dim> &state,
-                                const BladeLoad<dim> &blade,
                                 const Event &event,
                                 const bool is_stage)
 {
@@ -215,7 +218,8 @@ ResultsWriter<dim>::write_state(const CutBody<dim> &body,
                                    displacement,
                                    body.labels(),
                                    error_squares_of(body, state),
-                                   frame_facts(body, blade, event, time))));
+                                   frame_facts(body, state, event, time))),
+                   blade_of_state(body, state));
     }
   if (scene.output.node_tables)
     write_node_table(scene.body,

@@ -29,6 +29,9 @@ struct DivisionParameters
   double row_tolerance;
   LoadControl load_control;
   double max_load_factor;
+  /** How many rows may split at once under a blade that travels; 0 for as many
+   * as a cut begins with. */
+  unsigned int look_ahead;
 
   static void
   declare(dealii::ParameterHandler &handler);

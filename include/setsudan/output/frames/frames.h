@@ -29,13 +29,15 @@ public:
    * Write what each process shows of a frame. Called by all processes.
    *
    * @param time of the frame in the sequence; it is larger than that before.
+   * @param blade its surface, which is blade_NNNN.vtu; null if there is none.
    * @throw SceneError where this frame, or the one before, cannot be written.
    */
   void
   write(const unsigned int frame,
         const double time,
         const MPI_Comm communicator,
-        const std::shared_ptr<const VtuGrid> &content);
+        const std::shared_ptr<const VtuGrid> &content,
+        const std::shared_ptr<const VtuGrid> &blade = nullptr);
 
   /** Wait until all files are whole.
    *
@@ -43,7 +45,7 @@ public:
   void
   finish();
 
-  /** The frames' times in ParaView, and file names. */
+  /** The times in ParaView and the names of the files that are shown there. */
   std::vector<std::pair<double, std::string>> sequence;
 
 private:

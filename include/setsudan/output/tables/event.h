@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/blade/blade_motion.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -45,6 +47,10 @@ struct Event
   /** Estimated relative errors of the strain energy and of the cutting stress,
    * where they are asked for: in all events of a run, or in none. */
   std::optional<std::array<double, 2>> errors;
+  /** Where a blade that travels is: in all events of a run, or in none. */
+  std::optional<BladeMotion> motion;
+  /** Its mean force since the last event in which it had moved. */
+  double mean_force = 0;
   /** How far the walls of cuts have moved through each other. */
   double overlap = 0;
   /** The pieces in which the row's front lies, as they were before this cut. */
@@ -65,6 +71,11 @@ struct Event
     archive &has_errors &values;
     if (has_errors)
       errors = values;
+    bool has_motion    = motion.has_value();
+    BladeMotion moving = motion.value_or(BladeMotion());
+    archive &has_motion &moving &mean_force;
+    if (has_motion)
+      motion = moving;
   }
 };
 } // namespace Setsudan

@@ -34,7 +34,7 @@ public:
 private:
   /** The names of the columns, with their units as they were asked for. */
   std::string
-  header(const bool has_errors) const;
+  header() const;
 
   std::vector<StatisticsColumn> columns;
   const OutputParameters::Units units;

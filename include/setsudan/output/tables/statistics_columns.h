@@ -23,9 +23,10 @@ struct StatisticsColumn
 
 /** All columns, in their order.
  *
- * @param has_errors whether errors are estimated, which have columns then. */
+ * @param has_errors whether errors are estimated, which have columns then.
+ * @param travels    whether the blade travels, which has columns too. */
 std::vector<StatisticsColumn>
-statistics_columns(const bool has_errors);
+statistics_columns(const bool has_errors, const bool travels);
 
 /** Write what the columns mean as a table in Markdown. */
 void

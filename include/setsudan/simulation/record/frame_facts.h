@@ -5,6 +5,8 @@
 #include <setsudan/output/tables/statistics.h>
 #include <setsudan/simulation/state.h>
 
+#include <memory>
+
 namespace Setsudan
 {
 /**
@@ -14,7 +16,13 @@ namespace Setsudan
 template <int dim>
 FrameFacts
 frame_facts(const CutBody<dim> &body,
-            const BladeLoad<dim> &blade,
+            const State<dim> &state,
             const Event &event,
             const double time);
+
+/** The surface of a blade that travels, beside a state's frame; nothing where
+ * there is none. */
+template <int dim>
+std::shared_ptr<const VtuGrid>
+blade_of_state(const CutBody<dim> &body, const State<dim> &state);
 } // namespace Setsudan

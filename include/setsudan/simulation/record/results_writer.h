@@ -97,7 +97,6 @@ public:
   void
   write_state(const CutBody<dim> &body,
               const State<dim> &state,
-              const BladeLoad<dim> &blade,
               const Event &event,
               const bool is_stage);
 

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The force of a blade that travels against its travel, with its parts."""
+
+from matplotlib import pyplot as plt
+from words import with_unit
+
+# From below: columns whose sum is the blade's force.
+PARTS = (("edge", "C0", lambda line: line["edge_force"]),
+         ("flanks", "C1", lambda line: line["flank_force"] - line["friction_force"]),
+         ("friction", "C3", lambda line: line["friction_force"]))
+ALL_CUT = "divide"
+
+
+def travels(run):
+    """Whether a run's blade does."""
+    return "travel" in run.statistics[-1]
+
+
+def plot_curve(run, title, name):
+    """NAME.png and NAME.pdf: the parts stacked, the mean force between yields, and
+    where the cut begins and ends."""
+    with plt.rc_context({"font.size": 8, "axes.linewidth": 0.6}):
+        figure, panels = plt.subplots(len(run.cuts), 1, squeeze=False,
+                                      figsize=(4.2, 2.8 * len(run.cuts)),
+                                      constrained_layout=True)
+        for cut, axes in zip(run.cuts, panels[:, 0]):
+            lines = [line for line in run.statistics
+                     if line["cut"] == cut and line["event"] in ("deform", "release")]
+            if lines:
+                plot_parts(axes, lines)
+                mark(axes, run, cut, lines)
+            axes.set_ylabel(label("force", run, "Force unit"))
+            axes.set_xlabel(label("travel", run, "Length unit"))
+        panels[0, 0].set_title(title, fontsize=9, loc="left")
+        panels[0, 0].legend(fontsize=7, frameon=False, ncol=4, loc="lower right",
+                            bbox_to_anchor=(1, 1), borderaxespad=0)
+        figure.savefig(f"{name}.png", dpi=200)
+        figure.savefig(f"{name}.pdf")
+        plt.close(figure)
+
+
+def plot_parts(axes, lines):
+    """Between two events the force is drawn as a line: where contacts change it has
+    corners there."""
+    travel = [0.0] + [line["travel"] for line in lines]
+    axes.stackplot(travel, *([0.0] + [part(line) for line in lines]
+                             for _, _, part in PARTS),
+                   labels=[text for text, _, _ in PARTS],
+                   colors=[colour for _, colour, _ in PARTS], alpha=0.55)
+    yields = [line for line in lines if line["event"] == "deform"]
+    axes.step([line["travel"] for line in yields],
+              [line["mean_force"] for line in yields], "k-", where="pre",
+              linewidth=1.2, label="mean")
+    axes.set_xlim(left=0)
+    axes.set_ylim(bottom=0)
+    axes.grid(alpha=0.3, linewidth=0.5)
+
+
+def mark(axes, run, cut, lines):
+    """The first yield, and where the blade comes out or is arrested."""
+    first = next(line for line in lines if line["event"] == "deform")
+    ends = [line for line in run.statistics if line["cut"] == cut and
+            line["event"] in (ALL_CUT, "arrest")]
+    words = [(first, "yields at " + with_unit(first["blade_force"], run, "Force unit"))]
+    words += [(line, "through" if line["event"] == ALL_CUT else "arrested")
+              for line in ends]
+    for line, text in words:
+        axes.axvline(line["travel"], color="0.4", linestyle=":", linewidth=0.8)
+        axes.annotate(text, (line["travel"], 1), xycoords=("data", "axes fraction"),
+                      xytext=(-2 if line is not first else 2, -3), va="top",
+                      ha="right" if line is not first else "left", fontsize=7,
+                      textcoords="offset points", rotation=90)
+
+
+def label(what, run, name):
+    unit = run.parameters.get(name, "")
+    return what + f" [{unit}]" * bool(unit)

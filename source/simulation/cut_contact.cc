@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/simulation/cut_contact.h>
+
+#include <algorithm>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+/** The depth of the shallowest row but the first. */
+double
+shortest_row(const std::vector<Row> &rows, const double whole)
+{
+  double shortest = whole;
+  for (unsigned int row = 1; row < rows.size(); ++row)
+    shortest = std::min(shortest, rows[row].depth - rows[row - 1].depth);
+  return shortest;
+}
+} // namespace
+
+
+template <int dim>
+CutContact<dim>::CutContact(CutBody<dim> &body, const BladeProfile &profile)
+  : body(body)
+  , profile(profile)
+  , basis(body.model(),
+          body.surface(),
+          body.seam(),
+          body.cut().edge,
+          body.scene().blade.sliding)
+  , solver(body.condensed_solver())
+  , step(1e-9 * shortest_row(body.seam().rows(), body.mesh().extent()))
+{
+  for (unsigned int n = 0; n <= body.seam().rows().size(); ++n)
+    n_free.push_back(body.condensed_solver(n)->n_free());
+  compliance =
+    solver->compliance(basis.vectors(), body.model().loads, body.model().lift);
+  products.reinit(basis.vectors().size() + 1);
+}
+
+
+
+template <int dim>
+bool
+CutContact<dim>::is_of(CutBody<dim> &now) const
+{
+  return solver == now.condensed_solver();
+}
+
+
+
+template <int dim>
+void
+CutContact<dim>::advance_products(const unsigned int n)
+{
+  if (n < n_summed)
+    {
+      products = 0;
+      n_summed = 0;
+    }
+  compliance.add_products(n_summed, n, products);
+  n_summed = n;
+}
+
+
+
+template <int dim>
+std::unique_ptr<ContactPath<dim>>
+CutContact<dim>::path(const unsigned int n_split,
+                      const unsigned int n_ahead,
+                      const double travel,
+                      const ContactPath<dim> *neighbour)
+{
+  advance_products(n_free[n_split]);
+  auto path = std::make_unique<ContactPath<dim>>(basis,
+                                                 profile,
+                                                 body.scene().blade.sliding,
+                                                 n_split,
+                                                 n_ahead,
+                                                 products,
+                                                 compliance.work_in_lift,
+                                                 step);
+  path->begin(travel, neighbour);
+  return path;
+}
+
+
+
+template <int dim>
+BladeLoad<dim>
+CutContact<dim>::load(const ContactPath<dim> &path,
+                      const unsigned int row,
+                      const double travel) const
+{
+  BladeLoad<dim> blade = no_blade(body.model());
+  // Behind the last row the blade stays with it.
+  blade.row = std::min<unsigned int>(row, body.seam().rows().size() - 1);
+  const auto forces = path.forces(travel);
+  for (unsigned int v = 0; v < forces.size(); ++v)
+    if (forces[v] != 0)
+      for (const auto &[unknown, factor] : basis.vectors()[v])
+        blade.nodal_forces(unknown) += factor * forces[v];
+  for (const auto &pair : body.seam().pairs())
+    for (const auto *side : {&pair.minus, &pair.plus})
+      {
+        Tensor<1, dim> force;
+        for (unsigned int c = 0; c < dim; ++c)
+          force[c] = blade.nodal_forces((*side)[c]);
+        if (force.norm() > 0 && (side == &pair.minus || pair.is_double()))
+          blade.forces.push_back({pair.position, force});
+      }
+  return blade;
+}
+
+
+
+template class CutContact<2>;
+template class CutContact<3>;
+} // namespace Setsudan

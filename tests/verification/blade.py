@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Blades that travel through a block, and open a double cantilever."""
+
+import math
+
+from problems import Case, Row, material, run_table
+
+PLANE = {"Dimension": 2, **material(1, .3), "Support/Fixed faces": "bottom",
+         "Blade/Drive": "travel", "Blade/Sharpness": 0,
+         "Yield/Criterion": "energy release", "Division/Release": "element row"}
+
+
+class Cut:
+    """The part of a cut between two depths, from yield to yield."""
+
+    def __init__(self, options, n_across, n_along, size, settings, depths):
+        self.lines = run_table(options, {
+            **PLANE, "Body/Size": f"{size[0]}, {size[1]}",
+            "Body/Elements": f"{n_across}, {n_along}",
+            "Cut/Surfaces": f"x:{n_across // 2}", **settings})
+        self.toughness = settings["Material/Toughness"]
+        self.yields = [line for line in self.lines if line["event"] == "deform"]
+        self.begin, self.end = (
+            next(line for line in self.yields if number(line, "depth") > depth - 1e-9)
+            for depth in depths)
+
+    def change(self, column):
+        return number(self.end, column) - number(self.begin, column)
+
+    def mean_force(self):
+        """Over the toughness."""
+        return self.change("work") / self.change("travel") / self.toughness
+
+    def new_surface(self):
+        """What is left of the work for new surface."""
+        return self.change("work") - sum(map(self.change, (
+            "strain_energy", "friction_energy", "excess_energy")))
+
+    def largest_imbalance(self):
+        """Of the energies, over the whole work."""
+        return max(abs(number(line, "work") - sum(number(line, column) for column in (
+            "strain_energy", "surface_energy", "friction_energy", "excess_energy")))
+            for line in self.lines) / number(self.lines[-3], "work")
+
+
+def number(line, column):
+    return float(line[column])
+
+
+def block(options, n, settings):
+    """The square block of side 1, clamped at its bottom."""
+    return Cut(options, n, n, (1, 1), settings, (.25, .75))
+
+
+def energies(cut, mesh, bound=1e-8):
+    """What must be so whatever the mesh is."""
+    yield Row("work left for surface over toughness × area", mesh,
+              cut.toughness * cut.change("depth"), cut.new_surface(), bound)
+    yield Row("1 + energy that is missing over work", mesh, 1,
+              1 + cut.largest_imbalance(), bound)
+
+
+# Elements along the cut, and the mean force over the toughness of the prototype.
+THIN = {1e-3: {8: 1.0092, 16: 1.0060, 32: 1.0040}, 1e-2: {16: 1.0193, 32: 1.0124}}
+
+
+def thin_rows(options, long):
+    """A blade without a body: its force is the toughness, and what is stored."""
+    for toughness, meshes in THIN.items():
+        for n, mean in meshes.items():
+            mesh = f"R = {toughness} E H, {n} along the cut"
+            cut = block(options, n, {"Material/Toughness": toughness})
+            yield from energies(cut, mesh)
+            yield Row("mean force over toughness", mesh, 1, cut.mean_force(), 3e-4,
+                      expected=mean)
+            if toughness == 1e-3:
+                # The edge leaves the front after each release, and begins anew.
+                line = cut.begin
+                indentation = number(line, "travel") - number(line, "depth")
+                yield Row("force × indentation / 2 over toughness × row", mesh,
+                          toughness / n, number(line, "blade_force") * indentation / 2,
+                          1e-8)
+    if long:
+        cut = block(options, 64, {"Material/Toughness": 1e-2})
+        mesh = "R = 0.01 E H, 64 along the cut"
+        yield Row("first force over toughness", mesh, 1,
+                  number(cut.yields[0], "blade_force") / 1e-2, .01, expected=1.50)
+        yield Row("rows that split first", mesh, 2, number(
+            next(line for line in cut.lines if line["event"] == "release"),
+            "released_rows"), 0)
+
+
+def wedge_rows(options, long):
+    """A slender block, far from its ends."""
+    wedge = {"Blade/Shape": "wedge", "Blade/Wedge angle": 40, "Blade/Thickness": .1,
+             "Blade/Shoulder radius": .05, "Material/Toughness": 1e-3}
+    for n in (16, 32) if long else (16,):
+        mesh = f"40 degrees, {n} over 1"
+        cut = Cut(options, n // 2, 2 * n, (.5, 2), wedge, (.8, 1.3))
+        yield from energies(cut, mesh)
+        yield Row("mean force over toughness", mesh, 1, cut.mean_force(), .006)
+    for release, n_ahead in (("node row", 2), ("element row", 1)):
+        cut = Cut(options, 8, 32, (.5, 2), {
+            **wedge, "Division/Release": release, "Division/Look-ahead": n_ahead},
+            (.8, 1.3))
+        yield Row(f"mean force over toughness, {release}, look-ahead {n_ahead}",
+                  "40 degrees, 16 over 1", 1, cut.mean_force(), .006)
+
+
+ARM, HALF_THICKNESS, TOUGHNESS = .05, .01, 4e-7
+
+
+def cantilever_rows(options, long):
+    """Two arms that a wedge with a sharp shoulder opens, and friction there."""
+    plane = 1 / (1 - .3 ** 2)
+    inertia = ARM ** 3 / 12
+    length = (9 * plane * inertia * HALF_THICKNESS ** 2 / TOUGHNESS) ** .25
+    normal = 3 * plane * inertia * HALF_THICKNESS / length ** 3
+    flank = HALF_THICKNESS / math.tan(math.radians(10))
+    for friction in (0, .1, .3):
+        mesh = f"friction {friction}, 4 through an arm"
+        cut = Cut(options, 8, 160, (2 * ARM, 2), {
+            "Blade/Shape": "wedge", "Blade/Wedge angle": 20,
+            "Blade/Thickness": 2 * HALF_THICKNESS, "Material/Toughness": TOUGHNESS,
+            "Blade/Friction": friction}, (.8, 1.3))
+        crack = number(cut.begin, "depth") - (number(cut.begin, "travel") - flank)
+        yield Row("length from shoulder to front", mesh, length, crack + .673 * ARM, .015)
+        yield Row("mean force", mesh, TOUGHNESS + 2 * friction * normal,
+                  cut.mean_force() * TOUGHNESS, .02)
+        yield from energies(cut, mesh, 1e-7)
+
+
+def slab_rows(options, _):
+    """A slab of one layer of hexahedra between two walls is in plane strain."""
+    wedge = {"Blade/Shape": "wedge", "Blade/Wedge angle": 20, "Blade/Thickness": .1,
+             "Blade/Shoulder radius": .05, "Material/Toughness": 1e-3,
+             "Blade/Friction": .2}
+    plane = block(options, 8, wedge)
+    slab = run_table(options, {
+        **PLANE, **wedge, "Dimension": 3, "Body/Size": "0.5, 1, 1",
+        "Body/Elements": "1, 8, 8", "Cut/Surfaces": "y:4",
+        "Support/Fixed components": "left : x; right : x"})
+    for column in ("blade_force", "strain_energy", "work"):
+        line, of_slab = plane.end, slab[plane.lines.index(plane.end)]
+        yield Row(f"{column}, slab over plane strain", "8 x 8", number(line, column),
+                  2 * number(of_slab, column), 1e-8)
+    yield Row("travel, slab over plane strain", "8 x 8", number(plane.end, "travel"),
+              number(slab[plane.lines.index(plane.end)], "travel"), 1e-8)
+
+
+def slicing_rows(options, _):
+    """A thin blade that moves along its edge as it is pushed."""
+    toughness = 1e-3
+    for slice_push, grip in ((0, ""), (.5, ""), (1, ""), (2, ""), (4, ""), (2, .5)):
+        drag = min(slice_push, grip) if grip else slice_push
+        lines = run_table(options, {
+            **PLANE, "Dimension": 3, "Body/Size": "1, 1, 1", "Body/Elements": "1, 8, 8",
+            "Cut/Surfaces": "y:4", "Blade/Slice-push ratio": slice_push,
+            "Blade/Edge grip": grip, "Material/Toughness": toughness})
+        yields = [line for line in lines if line["event"] == "deform"]
+        begin, end = (next(line for line in yields if number(line, "depth") >= depth)
+                      for depth in (.25, .75))
+        mesh = f"slices {slice_push}, grip {grip or 'perfect'}"
+        change = {name: number(end, name) - number(begin, name)
+                  for name in ("work", "friction_energy", "travel", "strain_energy",
+                               "surface_energy")}
+        # The edge's part of the work is F (1 + k ξ) for each travel.
+        push = change["work"] / (1 + drag * slice_push) / change["travel"]
+        yield Row("push over toughness × width / (1 + k²)", mesh,
+                  toughness / (1 + drag ** 2), push, .02)
+        yield Row("work less storage and friction over surface", mesh,
+                  change["surface_energy"], change["work"] - change["strain_energy"] -
+                  change["friction_energy"], 1e-7)
+        if slice_push:
+            yield Row("force along the edge over push × k", mesh,
+                      drag * number(end, "blade_force"), number(end, "force_along"), 1e-9)
+
+
+def rows(options, long):
+    for of_kind in (thin_rows, wedge_rows, cantilever_rows, slab_rows, slicing_rows):
+        yield from of_kind(options, long)
+
+
+CASE = Case(
+    "blade", "Blades that travel",
+    "energy balance; of a thin blade, mean forces of an independent program for half a "
+    "block with 8-node quadrilaterals; of the wedge between two arms, beam theory, "
+    "a + 0.673 h = (9 E' I (T/2)² / R)^¼ from the shoulder to the front and "
+    "F = R + 2 μ N, N = 3 E' I (T/2) / (a + 0.673 h)³", rows)
