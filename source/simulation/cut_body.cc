@@ -313,6 +313,39 @@ CutBody<dim>::area_of_row(const unsigned int row)
 
 
 
+template <int dim>
+BladeAdvance
+CutBody<dim>::advance_of_blade(const unsigned int row) const
+{
+  const auto &rows  = newest_seam->rows();
+  unsigned int next = row + 1;
+  while (next < rows.size() && is_left_out(next))
+    ++next;
+  const bool is_last = next == rows.size();
+  double depth       = rows[row].depth;
+  if (is_last)
+    {
+      const auto &edge = cut().edge;
+      const double front =
+        edge.travel(newest_seam->pairs()[rows[row].front.front()].position);
+      for (const auto &pair : newest_seam->pairs())
+        depth =
+          std::max(depth, rows[row].depth + edge.travel(pair.position) - front);
+    }
+  else
+    depth = rows[next].depth;
+  double force = 0;
+  for (const auto &load : cut().edge_loads)
+    force += load.force;
+  BladeAdvance advance{is_last ? no_blade(*present_model).nodal_forces
+                               : blade_on_row(next).nodal_forces,
+                       force * (depth - rows[row].depth)};
+  advance.change -= blade_on_row(row).nodal_forces;
+  return advance;
+}
+
+
+
 template class CutBody<2>;
 template class CutBody<3>;
 } // namespace Setsudan

@@ -55,9 +55,9 @@ private:
     const Solution per_load = solver->solve(blade.nodal_forces, zero, zero);
     SolveQuality quality    = combine(base.quality, per_load.quality);
 
-    const LinearResponse at_base{base.displacement, state.forces, lift};
+    const LinearResponse at_base{base.displacement, state.forces, lift, 0};
     const LinearResponse by_load{
-      per_load.displacement, blade.nodal_forces, zero};
+      per_load.displacement, blade.nodal_forces, zero, 1};
     const YieldFactor found =
       find_yield_load(this->scene.criterion->evaluate(
                         body, *blade.row, at_base, &by_load, quality),
@@ -146,7 +146,7 @@ void
 check_yield(CutBody<dim> &body, const unsigned int row, State<dim> &state)
 {
   const LinearResponse response{
-    state.displacement, state.forces, lift_of(body, state)};
+    state.displacement, state.forces, lift_of(body, state), state.load_factor};
   state.stress = body.scene().criterion->evaluate(
     body, row, response, nullptr, state.quality)(0);
   state.yields = state.stress.yields();

@@ -144,6 +144,10 @@ public:
   const RowArea &
   area_of_row(const unsigned int row) override;
 
+  /** Behind the last row the load is gone. */
+  BladeAdvance
+  advance_of_blade(const unsigned int row) const override;
+
   /** The walls of all cuts, one for each, as far as they are split; valid until
    * the next cut is begun or split. */
   std::vector<CutWall<dim>>

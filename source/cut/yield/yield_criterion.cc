@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/yield/yield_criterion.h>
 
+#include <algorithm>
+#include <array>
+
 namespace Setsudan
 {
 namespace
@@ -104,16 +107,29 @@ public:
            const LinearResponse *per_load,
            SolveQuality &quality) const override
   {
-    const auto solver     = body.solver_without(row);
-    const Release at_base = release(body.model(), *solver, base, quality);
-    const double constant = at_base.displacement * at_base.internal;
-    double linear = 0, quadratic = 0;
+    const auto solver          = body.solver_without(row);
+    const BladeAdvance advance = body.advance_of_blade(row);
+    const auto released        = [&](const LinearResponse &response) {
+      return release(body.model(), *solver, advance, response, quality);
+    };
+    const auto follows = [&](const LinearResponse &response) {
+      return advance.change * response.displacement;
+    };
+    const Release at_base = released(base);
+    const double moved    = follows(base) + advance.work;
+    std::array<double, 3> energy{
+      {at_base.displacement * at_base.internal / 2 + base.blade_factor * moved,
+       0.,
+       0.}};
     if (per_load != nullptr)
       {
-        const Release by_load =
-          release(body.model(), *solver, *per_load, quality);
-        linear    = at_base.displacement * by_load.internal;
-        quadratic = by_load.displacement * by_load.internal;
+        const Release by_load    = released(*per_load);
+        const double moved_by_it = follows(*per_load);
+        energy[1]                = at_base.displacement * by_load.internal +
+                    base.blade_factor * moved_by_it +
+                    per_load->blade_factor * moved;
+        energy[2] = by_load.displacement * by_load.internal / 2 +
+                    per_load->blade_factor * moved_by_it;
       }
     const RowArea opened  = body.area_of_row(row);
     const double required = requirement(opened.energy, sharpness);
@@ -121,9 +137,8 @@ public:
       // Behind the last nodes there is nothing to open.
       if (opened.area == 0)
         return {0, 0};
-      const double energy =
-        (constant + factor * (2 * linear + factor * quadratic)) / 2;
-      return {energy / opened.area, required / opened.area};
+      return {largest_up_to(factor, energy) / opened.area,
+              required / opened.area};
     };
   }
 
@@ -143,8 +158,21 @@ public:
   }
 
 private:
+  /** The largest value between 0 and a factor of a quadratic function of the
+   * factor: a load that rises has passed it. */
+  static double
+  largest_up_to(const double factor, const std::array<double, 3> &c)
+  {
+    const auto value = [&](const double f) {
+      return c[0] + f * (c[1] + f * c[2]);
+    };
+    const double vertex = c[2] < 0 ? -c[1] / (2 * c[2]) : factor;
+    return std::max(
+      {value(0), value(factor), value(std::clamp(vertex, 0., factor))});
+  }
+
   /** The displacement d by which the body gives way when a row's ties are taken
-   * off, and K d. */
+   * off and the blade follows the front, and K d. */
   struct Release
   {
     LA::Vector displacement;
@@ -152,18 +180,22 @@ private:
   };
 
   /**
-   * The energy set free is that of d: before and after, the body is in the
-   * minimum of its potential energy, once over a smaller set, so that E(before)
-   * - E(after) = d . K d / 2. It equals half the ties' forces times the opening
-   * of their nodes, and d is linear in the load.
+   * Before and after, the body is in the minimum of its potential energy, once
+   * over a smaller set and under the forces f, once under f + c, where the
+   * blade's load has moved on: E(before) - E(after) = d . K d / 2 + c . u, with
+   * u the displacement before. To that comes the blade's work on its way. All
+   * are quadratic in the load, and d is linear in it.
    */
   static Release
   release(const ElasticModel<dim> &model,
           TangentSolver &solver,
+          const BladeAdvance &advance,
           const LinearResponse &tied,
           SolveQuality &quality)
   {
-    Solution released = solver.solve(tied.forces, tied.lift, tied.displacement);
+    LA::Vector forces = tied.forces;
+    forces.add(tied.blade_factor, advance.change);
+    Solution released = solver.solve(forces, tied.lift, tied.displacement);
     quality           = combine(quality, released.quality);
     released.displacement -= tied.displacement;
     return {released.displacement,

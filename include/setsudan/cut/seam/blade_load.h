@@ -21,6 +21,15 @@ struct BladeLoad
   std::optional<unsigned int> row;
 };
 
+/** The load of a blade that follows the front from a row to the next one, at
+ * load factor 1: the change of its nodal forces, and the work that it does on
+ * the way between the two fronts of the body at rest. */
+struct BladeAdvance
+{
+  LA::Vector change;
+  double work;
+};
+
 /** No blade: all forces zero. */
 template <int dim>
 BladeLoad<dim>

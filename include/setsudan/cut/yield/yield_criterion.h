@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/cut/seam/blade_load.h>
 #include <setsudan/cut/seam/row_areas.h>
 #include <setsudan/cut/yield/cutting_stress.h>
 #include <setsudan/solver/tangent_solver.h>
@@ -32,6 +33,10 @@ public:
   virtual const RowArea &
   area_of_row(const unsigned int row) = 0;
 
+  /** What the blade's load does as a row splits. */
+  virtual BladeAdvance
+  advance_of_blade(const unsigned int row) const = 0;
+
   /** The solver as if the ties of one row were taken off.
    *
    * @throw FloatingPieceError where that leaves a part which nothing holds. */
@@ -48,6 +53,8 @@ struct LinearResponse
   LA::Vector forces;
   /** See TangentSolver::solve(). */
   LA::Vector lift;
+  /** How many times the blade's load is in the forces. */
+  double blade_factor;
 };
 
 /** Decides whether a row yields: the requirement of the scene's criterion, with
