@@ -66,6 +66,14 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
   Setsudan::declare(
     handler,
     "Blade",
+    "Speed",
+    "0",
+    Patterns::Double(),
+    "Of a blade that travels, which gives its way a time; 0 if it "
+    "is not known [length/time].");
+  Setsudan::declare(
+    handler,
+    "Blade",
     "Slice-push ratio",
     "0",
     Patterns::Double(),
@@ -192,6 +200,7 @@ BladeParameters<dim>::read_sliding(const Parameters &parameters)
     return value;
   };
   sliding.friction = read("Friction");
+  speed            = read("Speed");
   sliding.slice    = read("Slice-push ratio");
   parameters.require(dim == 3 || sliding.slice == 0,
                      "Blade",

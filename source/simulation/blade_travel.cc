@@ -3,6 +3,8 @@
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/blade_travel.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,11 +34,33 @@ energy_set_free(const ContactPath<dim> &before, const ContactPath<dim> &after)
 
 
 
+/** How far the front goes as rows split. */
+template <int dim>
+double
+length_of_rows(const Seam<dim> &seam,
+               const BladeEdge<dim> &edge,
+               const unsigned int row,
+               const unsigned int n)
+{
+  const auto &rows = seam.rows();
+  if (row + n < rows.size())
+    return rows[row + n].depth - rows[row].depth;
+  const double front =
+    edge.travel(seam.pairs()[rows[row].front.front()].position);
+  double length = 0;
+  for (const auto &pair : seam.pairs())
+    length = std::max(length, edge.travel(pair.position) - front);
+  return length;
+}
+
+
+
 /** Move the blade on while the contacts stay as they are. */
 template <int dim>
 void
 move_to(const double travel,
         const double slice,
+        const double speed,
         const ContactPath<dim> &path,
         BladeMotion &motion)
 {
@@ -47,6 +71,8 @@ move_to(const double travel,
   motion.work +=
     (force_at(motion.travel) + force_at(travel)) / 2 * (travel - motion.travel);
   motion.friction_energy += path.friction_work(motion.travel, travel);
+  if (speed > 0)
+    motion.time += (travel - motion.travel) / speed;
   motion.travel = travel;
 }
 /** The potential energy of a body under its loads without the blade's forces.
@@ -149,8 +175,11 @@ BladeTravel<dim>::make_trials(CutBody<dim> &body,
       const RowArea &opened = body.area_of_row(row + n - 1);
       area += opened.area;
       required += requirement(opened.energy, this->scene.blade.sharpness);
-      trials.push_back(
-        {n, area, required, contact(body).path(row + n, 0, travel, neighbour)});
+      trials.push_back({n,
+                        area,
+                        required,
+                        length_of_rows(body.seam(), body.cut().edge, row, n),
+                        contact(body).path(row + n, 0, travel, neighbour)});
       neighbour = trials.back().path.get();
     }
   return trials;
@@ -159,10 +188,62 @@ BladeTravel<dim>::make_trials(CutBody<dim> &body,
 
 
 template <int dim>
+double
+BladeTravel<dim>::rate_factor(const double length,
+                              const BladeMotion &motion) const
+{
+  const double moved = motion.travel - motion.last_split;
+  return this->scene.rate.is_active()
+           ? this->scene.rate.factor(length / moved * this->scene.blade.speed)
+           : 1.;
+}
+
+
+
+template <int dim>
+std::optional<double>
+BladeTravel<dim>::travel_of_split(const Trial &trial,
+                                  const BladeMotion &motion,
+                                  const double end) const
+{
+  Quadratic gain = energy_set_free(*path, *trial.path);
+  if (!this->scene.rate.is_active())
+    {
+      gain.c[0] -= trial.required;
+      return gain.first_root(motion.travel, end);
+    }
+  // What is required falls with the time since the last split, from infinity.
+  const auto excess = [&](const double p) {
+    BladeMotion there = motion;
+    there.travel      = p;
+    return gain(p) / (trial.required * rate_factor(trial.length, there)) - 1;
+  };
+  if (excess(motion.travel) >= 0)
+    return motion.travel;
+  double last = std::min(end, motion.travel + trial.length);
+  while (excess(last) < 0 && last < end)
+    last = std::min(end, motion.travel + 2 * (last - motion.travel));
+  if (!(excess(last) >= 0))
+    return {};
+  boost::uintmax_t most = 200;
+  return boost::math::tools::toms748_solve(
+           excess,
+           motion.travel,
+           last,
+           boost::math::tools::eps_tolerance<double>(52),
+           most)
+    .second;
+}
+
+
+
+template <int dim>
 const typename BladeTravel<dim>::Trial *
 BladeTravel<dim>::follow(std::vector<Trial> &trials, BladeMotion &motion)
 {
-  while (true)
+  // More changes of the contact than a row has.
+  constexpr unsigned int most = 1000000;
+  for (unsigned int n_changes = 0; n_changes < most; ++n_changes)
     {
       double end = path->end();
       for (const auto &trial : trials)
@@ -171,9 +252,7 @@ BladeTravel<dim>::follow(std::vector<Trial> &trials, BladeMotion &motion)
       double travel      = end;
       for (const auto &trial : trials)
         {
-          Quadratic gain = energy_set_free(*path, *trial.path);
-          gain.c[0] -= trial.required;
-          const auto root = gain.first_root(motion.travel, travel);
+          const auto root = travel_of_split(trial, motion, travel);
           if (root && (!first || *root < travel))
             {
               first  = &trial;
@@ -182,7 +261,11 @@ BladeTravel<dim>::follow(std::vector<Trial> &trials, BladeMotion &motion)
         }
       if (!first && end == infinity)
         return nullptr;
-      move_to(travel, this->scene.blade.sliding.slice, *path, motion);
+      move_to(travel,
+              this->scene.blade.sliding.slice,
+              this->scene.blade.speed,
+              *path,
+              motion);
       if (first)
         return first;
       if (path->end() <= travel)
@@ -191,6 +274,10 @@ BladeTravel<dim>::follow(std::vector<Trial> &trials, BladeMotion &motion)
         if (trial.path->end() <= travel)
           trial.path->cross_end();
     }
+  throw SolverError("The contact of the blade does not settle at a travel of " +
+                    std::to_string(motion.travel) +
+                    ": walls go on opening and closing. Set Blade/Shoulder "
+                    "radius larger, or Blade/Friction lower.");
 }
 
 
@@ -226,7 +313,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   if (!from.motion)
     motion.energy_at_rest = from.potential_energy;
   if (row == 0)
-    motion.travel = 0;
+    motion.travel = motion.last_split = 0;
   CutContact<dim> &of_cut = contact(body);
   if (!path)
     path = of_cut.path(row, n_looked_ahead(body, row), motion.travel, nullptr);
@@ -238,7 +325,10 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   if (!next)
     return state;
   const double released = energy_set_free(*path, *next->path)(motion.travel);
-  state.stress          = {released / next->area, next->required / next->area};
+  const double required = next->required * rate_factor(next->length, motion);
+  // Behind the last nodes there may be nothing to open.
+  if (next->area > 0)
+    state.stress = {released / next->area, required / next->area};
   return state;
 }
 
@@ -261,6 +351,9 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
   for (unsigned int r = before; r < row; ++r)
     required +=
       requirement(body.area_of_row(r).energy, this->scene.blade.sharpness);
+  required *= rate_factor(
+    length_of_rows(body.seam(), body.cut().edge, before, row - before), motion);
+  motion.last_split = motion.travel;
   motion.surface_energy += required;
   motion.friction_energy += path->friction_work_to(*split)(motion.travel);
   motion.excess_energy +=

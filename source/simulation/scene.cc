@@ -74,6 +74,7 @@ Scene<dim>::declare(ParameterHandler &handler)
                     "A label, as the unit of length.");
   BodyParameters<dim>::declare(handler);
   MaterialParameters<dim>::declare(handler);
+  RateLaw::declare(handler);
   SupportParameters<dim>::declare(handler);
   LoadParameters<dim>::declare(handler);
   BladeParameters<dim>::declare(handler);
@@ -195,6 +196,7 @@ Scene<dim>::Scene(const Parameters &parameters)
   , supports(SupportParameters<dim>(parameters, body), body)
   , loads(parameters, body)
   , material(parameters, body)
+  , rate(parameters)
   , blade(parameters)
   , cut(parameters, body, supports, blade)
   , yield(parameters)
@@ -211,6 +213,10 @@ Scene<dim>::Scene(const Parameters &parameters)
   check_supports(parameters, body, supports);
   if (blade.travels)
     check_travel(parameters, *this);
+  parameters.require(!rate.is_active() || blade.speed > 0,
+                     "Material",
+                     "Rate exponent",
+                     "0 where no Blade/Speed is given");
   // The path of the body's file changes with the directory: it may be none that
   // parameters.prm can hold.
   text_in(output.directory, parameters);

@@ -176,8 +176,30 @@ def slicing_rows(options, _):
                       drag * number(end, "blade_force"), number(end, "force_along"), 1e-9)
 
 
+# Speed over that at which the toughness doubles, and the mean force over the toughness
+# at that speed of the prototype.
+SPEEDS = {.25: 1.009, 1: 1.011, 4: 1.014}
+
+
+def rate_rows(options, _):
+    """A thin blade through a block whose toughness grows with the root of speed."""
+    for speed, mean in SPEEDS.items():
+        cut = block(options, 16, {
+            "Material/Toughness": 1e-3, "Material/Rate exponent": .5,
+            "Material/Rate speed": 1, "Blade/Speed": speed})
+        mesh = f"speed {speed}, 16 along the cut"
+        toughness = 1 + speed ** .5
+        yield Row("mean force over toughness at that speed", mesh, 1,
+                  cut.mean_force() / toughness, .003, expected=mean)
+        yield Row("work left for surface over toughness × area", mesh,
+                  1e-3 * toughness * cut.change("depth"), cut.new_surface(), .005)
+        yield Row("time over travel / speed", mesh, cut.change("travel") / speed,
+                  cut.change("time"), 1e-9)
+
+
 def rows(options, long):
-    for of_kind in (thin_rows, wedge_rows, cantilever_rows, slab_rows, slicing_rows):
+    for of_kind in (thin_rows, wedge_rows, cantilever_rows, slab_rows, slicing_rows,
+                    rate_rows):
         yield from of_kind(options, long)
 
 

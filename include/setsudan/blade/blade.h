@@ -27,6 +27,8 @@ struct BladeParameters
   /** Whether the edge moves by a travel, and the force is the reaction. */
   bool travels;
   SlidingBlade sliding;
+  /** Of the travel; 0 if it is not given. */
+  double speed;
   /** The blade's body. */
   BladeProfile profile;
   /** Unit vectors of the blade's travel, one for each cut or one for all. */

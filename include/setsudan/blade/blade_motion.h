@@ -9,6 +9,10 @@ struct BladeMotion
 {
   /** Of the edge along the blade's direction, from the entry of the cut. */
   double travel = 0;
+  /** Since the run began, where the blade's speed is given. */
+  double time = 0;
+  /** Of the edge when the last rows split. */
+  double last_split = 0;
   /** The forces of edge and flanks on the body along that direction, and the
    * area on which the flanks press. */
   double edge_force  = 0;
@@ -35,7 +39,8 @@ struct BladeMotion
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &travel &edge_force &flank_force &friction_force &force_along;
+    archive &travel &time &last_split &edge_force &flank_force;
+    archive &friction_force &force_along;
     archive &contact_area &work &surface_energy &friction_energy;
     archive &excess_energy &energy_at_rest &n_rows_to_split;
   }

@@ -47,7 +47,10 @@ private:
   {
     unsigned int n_rows;
     double area;
+    /** The energy that a slow split takes. */
     double required;
+    /** How far the front goes. */
+    double length;
     std::unique_ptr<ContactPath<dim>> path;
   };
 
@@ -60,6 +63,18 @@ private:
   /** How many rows a trial may split. */
   unsigned int
   n_looked_ahead(CutBody<dim> &body, const unsigned int row) const;
+
+  /** What the speed multiplies the toughness with, if so much of the front
+   * splits where the blade is. */
+  double
+  rate_factor(const double length, const BladeMotion &motion) const;
+
+  /** The travel up to `end` at which a trial splits, with the contacts that
+   * hold now. */
+  std::optional<double>
+  travel_of_split(const Trial &trial,
+                  const BladeMotion &motion,
+                  const double end) const;
 
   /** Follow the travel until a row splits; the answer is the one that does, and
    * none where that never happens. */

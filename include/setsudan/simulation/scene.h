@@ -8,6 +8,7 @@
 #include <setsudan/cut/surface/cut_parameters.h>
 #include <setsudan/cut/yield/yield_criterion.h>
 #include <setsudan/material/material_parameters.h>
+#include <setsudan/material/rate_law.h>
 #include <setsudan/mechanics/loads.h>
 #include <setsudan/output/output_directory.h>
 #include <setsudan/simulation/accuracy/accuracy_parameters.h>
@@ -49,6 +50,7 @@ struct Scene
   const LoadParameters<dim> loads;
   /** Not const: a program of one's own may give a material another law. */
   MaterialParameters<dim> material;
+  const RateLaw rate;
   const BladeParameters<dim> blade;
   const CutParameters<dim> cut;
   const YieldParameters yield;

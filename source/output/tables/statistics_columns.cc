@@ -130,6 +130,12 @@ add_motion(std::vector<StatisticsColumn> &columns)
     "How far the edge is behind the entry of the cut; these columns are there "
     "with Blade/Drive = travel.",
     &BladeMotion::travel);
+  add(
+    "time",
+    "s",
+    "The time of the travel since the run began, in the unit of Blade/Speed; 0 "
+    "where that is not given.",
+    &BladeMotion::time);
   columns.push_back(
     column("mean_force",
            "F",
