@@ -5,9 +5,7 @@
 #include <setsudan/simulation/accuracy/choose_refinement.h>
 #include <setsudan/simulation/accuracy/state_error.h>
 #include <setsudan/simulation/checks.h>
-#include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/messages.h>
-#include <setsudan/simulation/record/resumption.h>
 #include <setsudan/simulation/simulation.h>
 
 #include <sstream>
@@ -132,53 +130,6 @@ Simulation<dim>::make_cut_from(const unsigned int first_row)
     }
   finish_cut();
   return true;
-}
-
-
-
-template <int dim>
-bool
-Simulation<dim>::resume()
-{
-  repeat_surgeries(*checkpoint, body);
-  state    = restore_state(*checkpoint, body);
-  event    = checkpoint->event;
-  n_frames = checkpoint->n_frames;
-  results.restore(checkpoint->record);
-  const bool divided = checkpoint->stage == Checkpoint::Stage::divided;
-  results.progress.info(
-    "Resumed behind " +
-    (divided ? "" : "row " + std::to_string(event.row + 1) + " of ") + "cut " +
-    std::to_string(event.cut) + ".");
-  return divided || make_cut_from(event.row);
-}
-
-
-
-template <int dim>
-void
-Simulation<dim>::checkpoint_if_due(const Checkpoint::Stage stage)
-{
-  const bool stops = interrupted(body.communicator());
-  if (checkpoints.keeps() && (stops || checkpoints.is_due()))
-    {
-      Checkpoint reached;
-      reached.stage      = stage;
-      reached.n_frames   = n_frames;
-      reached.event      = event;
-      reached.refinement = body.refinement();
-      reached.record     = results.save();
-      const TimerOutput::Scope section(timer, "checkpoint");
-      store_state(state, body, reached);
-      checkpoints.make(reached);
-    }
-  if (stops)
-    throw RunInterrupted(
-      "The run was interrupted behind row " + std::to_string(event.row + 1) +
-      " of cut " + std::to_string(event.cut) +
-      (checkpoints.keeps() ? "; with --resume it goes on from there."
-                           : "; Output/Checkpoint = none leaves nothing to "
-                             "resume from."));
 }
 
 

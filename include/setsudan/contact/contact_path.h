@@ -4,6 +4,7 @@
 #include <setsudan/blade/blade_profile.h>
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/contact/contact_basis.h>
+#include <setsudan/contact/quadratic.h>
 
 #include <array>
 #include <limits>
@@ -13,23 +14,6 @@
 
 namespace Setsudan
 {
-/** The quadratic function c[0] + c[1] p + c[2] p^2. */
-struct Quadratic
-{
-  std::array<double, 3> c{};
-
-  double
-  operator()(const double p) const
-  {
-    return c[0] + p * (c[1] + p * c[2]);
-  }
-
-  /** The smallest root between two points, the first of which is one if the
-   * function is not negative there. */
-  std::optional<double>
-  first_root(const double begin, const double end) const;
-};
-
 /**
  * The equilibrium of a body with its blade, while the first rows of the cut are
  * split and the blade travels: unilateral contact of the two walls with the

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/contact/contact_path.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+Quadratic
+ContactPath<dim>::energy() const
+{
+  const auto &[constant, slope] = piece.multipliers;
+  Quadratic result;
+  result.c[0] = energy_at_rest;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    if (piece.active[i])
+      for (const auto &[a, factor] : conditions[i].exerted)
+        {
+          const double u0 = factor * piece.displacements.constant[a] / 2;
+          const double u1 = factor * piece.displacements.slope[a] / 2;
+          result.c[0] += constant[i] * u0;
+          result.c[1] += constant[i] * u1 + slope[i] * u0;
+          result.c[2] += slope[i] * u1;
+        }
+  return result;
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::sum_over(const Kind kind,
+                           const double Condition::*factor) const
+{
+  Quadratic sum;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    if (conditions[i].kind == kind)
+      {
+        sum.c[0] += piece.multipliers.constant[i] * (conditions[i].*factor);
+        sum.c[1] += piece.multipliers.slope[i] * (conditions[i].*factor);
+      }
+  return sum;
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::edge_force() const
+{
+  return sum_over(Kind::edge, &Condition::force);
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::flank_force() const
+{
+  return sum_over(Kind::flank, &Condition::force);
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::friction_force() const
+{
+  return sum_over(Kind::flank, &Condition::friction);
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::force_aside() const
+{
+  Quadratic force       = sum_over(Kind::edge, &Condition::aside);
+  const Quadratic flank = sum_over(Kind::flank, &Condition::aside);
+  for (unsigned int i = 0; i < 3; ++i)
+    force.c[i] += flank.c[i];
+  return force;
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::dissipation(const Condition &condition,
+                              const double travel,
+                              const double along,
+                              const double aside) const
+{
+  return condition.dissipation[0] * (travel - along) +
+         condition.dissipation[1] * (sliding.slice * travel - aside);
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::friction_work(const double begin, const double end) const
+{
+  using Component     = typename ContactBasis<dim>::Component;
+  const double travel = end - begin;
+  double work         = 0;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    {
+      const Condition &condition = conditions[i];
+      const auto moves           = [&](const Component component) {
+        return travel * moved(condition.place, condition.wall, component)[1];
+      };
+      if (!piece.active[i])
+        continue;
+      const double mean =
+        (piece.multipliers(i, begin) + piece.multipliers(i, end)) / 2;
+      if (condition.kind == Kind::flank && sliding.friction > 0)
+        work += mean * dissipation(
+                         condition,
+                         travel,
+                         moves(Component::along),
+                         sliding.rubs_aside() ? moves(Component::aside) : 0.);
+      // The edge slips along the front as far as it does not grip.
+      if (condition.kind == Kind::edge)
+        work +=
+          mean * condition.aside * (sliding.slice - sliding.drag()) * travel;
+    }
+  return work;
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::friction_work_to(const ContactPath &after) const
+{
+  using Component = typename ContactBasis<dim>::Component;
+  Quadratic work;
+  if (sliding.friction == 0)
+    return work;
+  // How far a component of a wall moves as rows split, over the travel.
+  const auto moves = [&](const Condition &condition,
+                         const Component component) {
+    const auto before = moved(condition.place, condition.wall, component);
+    const auto behind = after.moved(condition.place, condition.wall, component);
+    return std::array<double, 2>{
+      {behind[0] - before[0], behind[1] - before[1]}};
+  };
+  for (const ContactPath *path : {this, &after})
+    for (unsigned int i = 0; i < path->conditions.size(); ++i)
+      {
+        const Condition &condition = path->conditions[i];
+        if (!path->piece.active[i] || condition.kind != Kind::flank)
+          continue;
+        const auto along   = moves(condition, Component::along);
+        const auto aside   = sliding.rubs_aside()
+                               ? moves(condition, Component::aside)
+                               : std::array<double, 2>{};
+        const double slip0 = dissipation(condition, 0, along[0], aside[0]);
+        const double slip1 = dissipation(condition, 0, along[1], aside[1]);
+        const double m0    = path->piece.multipliers.constant[i] / 2;
+        const double m1    = path->piece.multipliers.slope[i] / 2;
+        work.c[0] += m0 * slip0;
+        work.c[1] += m0 * slip1 + m1 * slip0;
+        work.c[2] += m1 * slip1;
+      }
+  return work;
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::contact_area() const
+{
+  double area = 0;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    if (piece.active[i] && conditions[i].kind == Kind::flank)
+      area += basis.hats()[conditions[i].place].area;
+  return area;
+}
+
+
+
+template <int dim>
+std::vector<double>
+ContactPath<dim>::forces(const double travel) const
+{
+  std::vector<unsigned int> vector_at(products.n());
+  for (unsigned int v = 0; v < place_of.size(); ++v)
+    if (place_of[v] != numbers::invalid_unsigned_int)
+      vector_at[place_of[v]] = v;
+  std::vector<double> result(basis.vectors().size(), 0.);
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    for (const auto &[place, factor] : conditions[i].exerted)
+      result[vector_at[place]] += factor * piece.multipliers(i, travel);
+  return result;
+}
+
+
+
+#define INSTANTIATE(dim)                                                      \
+  template Quadratic ContactPath<dim>::energy() const;                        \
+  template Quadratic ContactPath<dim>::edge_force() const;                    \
+  template Quadratic ContactPath<dim>::flank_force() const;                   \
+  template Quadratic ContactPath<dim>::friction_force() const;                \
+  template Quadratic ContactPath<dim>::force_aside() const;                   \
+  template double ContactPath<dim>::friction_work(const double, const double) \
+    const;                                                                    \
+  template Quadratic ContactPath<dim>::friction_work_to(const ContactPath &)  \
+    const;                                                                    \
+  template double ContactPath<dim>::contact_area() const;                     \
+  template std::vector<double> ContactPath<dim>::forces(const double) const;
+
+INSTANTIATE(2)
+INSTANTIATE(3)
+
+#undef INSTANTIATE
+} // namespace Setsudan
