@@ -168,9 +168,15 @@ template <int dim>
 std::shared_ptr<CondensedSolver<dim>>
 CutBody<dim>::condensed_solver(const unsigned int n_split)
 {
+  const auto states = newest_seam->states_after(n_split, split_state());
+  if (severed.n_floating(*newest_seam, states) > severed.floating().size())
+    throw FloatingPieceError(
+      "The cut frees a part that nothing holds when row " +
+      std::to_string(n_split) +
+      " splits, and the blade would push it away. Hold it in subsection "
+      "Support, or set Blade/Drive = force.");
   const auto solver = std::dynamic_pointer_cast<CondensedSolver<dim>>(
-    this->solver(std::make_shared<const Constraints>(
-      constraints(newest_seam->states_after(n_split, split_state())))));
+    this->solver(std::make_shared<const Constraints>(constraints(states))));
   if (!solver)
     throw SolverError(
       "The blade's contact cannot be found on the unknowns of this cut, since "

@@ -30,7 +30,8 @@ CutContact<dim>::CutContact(CutBody<dim> &body, const BladeProfile &profile)
           body.seam(),
           body.cut().edge,
           body.scene().blade.sliding)
-  , solver(body.condensed_solver())
+  // With all rows split, which says whether all that is cut is held.
+  , solver(body.condensed_solver(body.seam().rows().size()))
   , step(1e-9 * shortest_row(body.seam().rows(), body.mesh().extent()))
 {
   for (unsigned int n = 0; n <= body.seam().rows().size(); ++n)

@@ -217,7 +217,8 @@ public:
   /** The solver of all states of the newest cut, in the present one, or while
    * its first rows are split.
    *
-   * @throw SolverError where these states are not solved together. */
+   * @throw SolverError where these states are not solved together, and
+   *   FloatingPieceError where that leaves a part which nothing holds. */
   std::shared_ptr<CondensedSolver<dim>>
   condensed_solver();
   std::shared_ptr<CondensedSolver<dim>>
