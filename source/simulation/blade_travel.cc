@@ -34,27 +34,6 @@ energy_set_free(const ContactPath<dim> &before, const ContactPath<dim> &after)
 
 
 
-/** How far the front goes as rows split. */
-template <int dim>
-double
-length_of_rows(const Seam<dim> &seam,
-               const BladeEdge<dim> &edge,
-               const unsigned int row,
-               const unsigned int n)
-{
-  const auto &rows = seam.rows();
-  if (row + n < rows.size())
-    return rows[row + n].depth - rows[row].depth;
-  const double front =
-    edge.travel(seam.pairs()[rows[row].front.front()].position);
-  double length = 0;
-  for (const auto &pair : seam.pairs())
-    length = std::max(length, edge.travel(pair.position) - front);
-  return length;
-}
-
-
-
 /** Move the blade on while the contacts stay as they are. */
 template <int dim>
 void
@@ -75,6 +54,9 @@ move_to(const double travel,
     motion.time += (travel - motion.travel) / speed;
   motion.travel = travel;
 }
+
+
+
 /** The potential energy of a body under its loads without the blade's forces.
  */
 template <int dim>
@@ -178,7 +160,7 @@ BladeTravel<dim>::make_trials(CutBody<dim> &body,
       trials.push_back({n,
                         area,
                         required,
-                        length_of_rows(body.seam(), body.cut().edge, row, n),
+                        body.length_of_rows(row, n),
                         contact(body).path(row + n, 0, travel, neighbour)});
       neighbour = trials.back().path.get();
     }
@@ -351,8 +333,7 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
   for (unsigned int r = before; r < row; ++r)
     required +=
       requirement(body.area_of_row(r).energy, this->scene.blade.sharpness);
-  required *= rate_factor(
-    length_of_rows(body.seam(), body.cut().edge, before, row - before), motion);
+  required *= rate_factor(body.length_of_rows(before, row - before), motion);
   motion.last_split = motion.travel;
   motion.surface_energy += required;
   motion.friction_energy += path->friction_work_to(*split)(motion.travel);

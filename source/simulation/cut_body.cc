@@ -314,6 +314,24 @@ CutBody<dim>::area_of_row(const unsigned int row)
 
 
 template <int dim>
+double
+CutBody<dim>::length_of_rows(const unsigned int row, const unsigned int n) const
+{
+  const auto &rows = newest_seam->rows();
+  if (row + n < rows.size())
+    return rows[row + n].depth - rows[row].depth;
+  const auto &edge   = cut().edge;
+  const auto &pairs  = newest_seam->pairs();
+  const double front = edge.travel(pairs[rows[row].front.front()].position);
+  double length      = 0;
+  for (const auto &pair : pairs)
+    length = std::max(length, edge.travel(pair.position) - front);
+  return length;
+}
+
+
+
+template <int dim>
 BladeAdvance
 CutBody<dim>::advance_of_blade(const unsigned int row) const
 {
@@ -322,24 +340,12 @@ CutBody<dim>::advance_of_blade(const unsigned int row) const
   while (next < rows.size() && is_left_out(next))
     ++next;
   const bool is_last = next == rows.size();
-  double depth       = rows[row].depth;
-  if (is_last)
-    {
-      const auto &edge = cut().edge;
-      const double front =
-        edge.travel(newest_seam->pairs()[rows[row].front.front()].position);
-      for (const auto &pair : newest_seam->pairs())
-        depth =
-          std::max(depth, rows[row].depth + edge.travel(pair.position) - front);
-    }
-  else
-    depth = rows[next].depth;
-  double force = 0;
+  double force       = 0;
   for (const auto &load : cut().edge_loads)
     force += load.force;
   BladeAdvance advance{is_last ? no_blade(*present_model).nodal_forces
                                : blade_on_row(next).nodal_forces,
-                       force * (depth - rows[row].depth)};
+                       force * length_of_rows(row, next - row)};
   advance.change -= blade_on_row(row).nodal_forces;
   return advance;
 }

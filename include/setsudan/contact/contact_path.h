@@ -219,8 +219,7 @@ private:
   const SlidingBlade sliding;
   const unsigned int row;
   dealii::LAPACKFullMatrix<double> products;
-  /** The vectors of the basis that the stage uses, and where they are in
-   * `products`; the last one there is that of the loads. */
+  /** Where the vectors of the basis that the stage uses are in `products`. */
   std::vector<unsigned int> place_of;
   /** Under the loads alone: the work of the vectors, and the energy. */
   std::vector<double> displacement_at_rest;

@@ -144,6 +144,10 @@ public:
   const RowArea &
   area_of_row(const unsigned int row) override;
 
+  /** How far the front goes as so many rows split, the last one to the end. */
+  double
+  length_of_rows(const unsigned int row, const unsigned int n) const;
+
   /** Behind the last row the load is gone. */
   BladeAdvance
   advance_of_blade(const unsigned int row) const override;

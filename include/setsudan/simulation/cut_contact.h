@@ -40,13 +40,6 @@ public:
        const unsigned int row,
        const double travel) const;
 
-  /** A travel that is small beside a row. */
-  double
-  smallest_step() const
-  {
-    return step;
-  }
-
 private:
   /** Sum the products up to a stage. */
   void
@@ -58,7 +51,8 @@ private:
   const std::shared_ptr<CondensedSolver<dim>> solver;
   /** The free unknowns of each stage. */
   std::vector<unsigned int> n_free;
-  double step;
+  /** A travel that is small beside a row. */
+  const double step;
   typename CondensedSolver<dim>::Compliance compliance;
   /** Of the vectors in the first unknowns. */
   dealii::LAPACKFullMatrix<double> products;
