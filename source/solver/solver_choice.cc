@@ -94,7 +94,9 @@ choose_cut_strategy(const SolverParameters &parameters,
   if (cut.n_interface_unknowns == 0)
     return row_by_row("since no ties are left to take off");
   if (cut.has_contact)
-    return {CutStrategy::condensed, "on which the blade's contact is found"};
+    return {CutStrategy::condensed,
+            std::string("on which the blade's contact is found") +
+              (size.n_processes > 1 ? " by the first process" : "")};
   if (parameters.cut_solve == CutSolve::row_by_row)
     return row_by_row("as Division/Solve says");
   if (size.n_processes > 1)

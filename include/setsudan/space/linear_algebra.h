@@ -30,4 +30,15 @@ distribute(const dealii::AffineConstraints<double> &constraints,
 LA::Vector
 condense(const dealii::AffineConstraints<double> &constraints,
          const LA::Vector &forces);
+
+/** A matrix or vector with all of its rows on the first process, where columns
+ * have the numbers of their unknowns. Collective; a copy on one process. */
+LA::SparseMatrix
+gather(const LA::SparseMatrix &matrix);
+LA::Vector
+gather(const LA::Vector &vector);
+
+/** The opposite of gather(): set the entries of a vector. */
+void
+scatter(const LA::Vector &gathered, LA::Vector &vector);
 } // namespace Setsudan

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/linear/linear_solver.h>
-
-#include <Teuchos_BLAS.hpp>
+#include <setsudan/space/first_process.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +14,7 @@ using namespace dealii;
 
 namespace
 {
-/** The entries of a vector of one process. */
-double *
-entries(LA::Vector &vector)
-{
-  return vector.trilinos_vector()[0];
-}
-
-
-
+/** The entries of a vector that one process has. */
 const double *
 entries(const LA::Vector &vector)
 {
@@ -32,14 +23,16 @@ entries(const LA::Vector &vector)
 
 
 
-/** Two vectors of one process have the same entries. */
+/** Whether two vectors have the same entries. */
 bool
 are_equal(const LA::Vector &a, const LA::Vector &b)
 {
-  return a.size() == b.size() &&
-         std::equal(entries(a), entries(a) + a.size(), entries(b));
+  if (a.size() != b.size())
+    return false;
+  const bool here =
+    std::equal(entries(a), entries(a) + a.locally_owned_size(), entries(b));
+  return Utilities::MPI::min<int>(here, a.get_mpi_communicator()) == 1;
 }
-
 } // namespace
 
 
@@ -50,14 +43,39 @@ CondensedSolver<dim>::CondensedSolver(
   const IndexSet &cut_unknowns)
   : model(model)
   , base(std::move(base_constraints))
+  , communicator(model.discretization.communicator)
+  , is_first(Utilities::MPI::this_mpi_process(communicator) == 0)
 {
-  for (const auto unknown : cut_unknowns)
-    if (!base->is_constrained(unknown))
-      cut.push_back(unknown);
+  // A process knows the constraints of its own unknowns.
+  LA::Vector constrained = model.discretization.zero_vector();
+  for (const auto unknown : model.discretization.owned)
+    if (base->is_constrained(unknown))
+      constrained(unknown) = 1;
+  constrained.compress(VectorOperation::insert);
+  const LA::Vector all_constrained = gather(constrained);
+  if (is_first)
+    for (const auto unknown : cut_unknowns)
+      if (entries(all_constrained)[unknown] == 0)
+        cut.push_back(unknown);
+  cut = of_first_process(communicator, [&] { return cut; });
   LA::SparseMatrix matrix;
   assemble_stiffness(model.discretization, model.stiffness, *base, matrix);
   largest_entry = matrix.linfty_norm();
-  condensation  = std::make_unique<StaticCondensation>(matrix, cut);
+  if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+    condense_onto_cut(matrix);
+  else
+    condense_onto_cut(gather(matrix));
+}
+
+
+
+template <int dim>
+void
+CondensedSolver<dim>::condense_onto_cut(const LA::SparseMatrix &matrix)
+{
+  if (!is_first)
+    return;
+  condensation = std::make_unique<StaticCondensation>(matrix, cut);
   interface = std::make_unique<InterfaceSystem>(cut, condensation->stiffness());
 }
 
@@ -68,10 +86,11 @@ bool
 CondensedSolver<dim>::set_constraints(
   std::shared_ptr<const Constraints> new_constraints)
 {
-  if (!interface->set_constraints(*new_constraints))
-    return false;
-  constraints = std::move(new_constraints);
-  return true;
+  const bool fits = of_first_process(
+    communicator, [&] { return interface->set_constraints(*new_constraints); });
+  if (fits)
+    constraints = std::move(new_constraints);
+  return fits;
 }
 
 
@@ -80,7 +99,8 @@ template <int dim>
 bool
 CondensedSolver<dim>::append_stage(const Constraints &stage)
 {
-  return interface->append_stage(stage);
+  return of_first_process(communicator,
+                          [&] { return interface->append_stage(stage); });
 }
 
 
@@ -89,7 +109,17 @@ template <int dim>
 void
 CondensedSolver<dim>::factorize_stages()
 {
-  interface->factorize_stages();
+  if (is_first)
+    interface->factorize_stages();
+}
+
+
+
+template <int dim>
+unsigned int
+CondensedSolver<dim>::n_free() const
+{
+  return of_first_process(communicator, [&] { return interface->n_free(); });
 }
 
 
@@ -128,7 +158,10 @@ CondensedSolver<dim>::solve_interface(const LA::Vector &b,
                                       const bool is_remembered)
 {
   InterfaceState state;
-  state.loads = forward_eliminate(b, is_remembered);
+  const LA::Vector loads = gather(b);
+  if (!is_first)
+    return state;
+  state.loads = forward_eliminate(loads, is_remembered);
   auto forces = state.loads.on_cut;
   if (!opening.empty())
     {
@@ -149,8 +182,12 @@ template <int dim>
 LA::Vector
 CondensedSolver<dim>::recover(InterfaceState &&state) const
 {
-  LA::Vector x = model.discretization.zero_vector();
-  condensation->back_substitute(std::move(state.loads), state.displacement, x);
+  LA::Vector x     = model.discretization.zero_vector();
+  LA::Vector whole = gather(x);
+  if (is_first)
+    condensation->back_substitute(
+      std::move(state.loads), state.displacement, whole);
+  scatter(whole, x);
   distribute(*base, x);
   return x;
 }
@@ -161,18 +198,33 @@ template <int dim>
 std::vector<double>
 CondensedSolver<dim>::take_opening(LA::Vector &lift) const
 {
-  std::vector<double> opening(cut.size());
-  for (unsigned int i = 0; i < cut.size(); ++i)
-    opening[i] = entries(lift)[cut[i]];
+  const auto opening = on_cut(lift);
   if (std::all_of(
         opening.begin(), opening.end(), [](const double u) { return u == 0; }))
     return {};
   LA::Vector displacement = model.discretization.zero_vector();
   for (unsigned int i = 0; i < cut.size(); ++i)
-    entries(displacement)[cut[i]] = opening[i];
+    if (model.discretization.owned.is_element(cut[i]))
+      displacement(cut[i]) = opening[i];
+  displacement.compress(VectorOperation::insert);
   distribute(*base, displacement);
   lift -= displacement;
   return opening;
+}
+
+
+
+template <int dim>
+std::vector<double>
+CondensedSolver<dim>::on_cut(const LA::Vector &vector) const
+{
+  const LA::Vector whole = gather(vector);
+  return of_first_process(communicator, [&] {
+    std::vector<double> values;
+    for (const unsigned int unknown : cut)
+      values.push_back(entries(whole)[unknown]);
+    return values;
+  });
 }
 
 
@@ -190,74 +242,6 @@ CondensedSolver<dim>::residual_of_lift(const LA::Vector &forces,
   LA::Vector residual = forces;
   residual -= forces_of_lift;
   return residual;
-}
-
-
-
-template <int dim>
-void
-CondensedSolver<dim>::Compliance::add_products(
-  const unsigned int begin,
-  const unsigned int end,
-  LAPACKFullMatrix<double> &products) const
-{
-  const int n = half_displacements.n();
-  if (begin == end)
-    return;
-  const Teuchos::BLAS<int, double> blas;
-  blas.SYRK(Teuchos::LOWER_TRI,
-            Teuchos::TRANS,
-            n,
-            end - begin,
-            1.,
-            &half_displacements(begin, 0),
-            half_displacements.m(),
-            1.,
-            &products(0, 0),
-            n);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < j; ++i)
-      products(i, j) = products(j, i);
-}
-
-
-
-template <int dim>
-typename CondensedSolver<dim>::Compliance
-CondensedSolver<dim>::compliance(const std::vector<UnknownForces> &on_interface,
-                                 const LA::Vector &loads,
-                                 const LA::Vector &lift)
-{
-  Compliance result;
-  std::vector<UnknownForces> numbered;
-  for (const auto &forces : on_interface)
-    {
-      numbered.emplace_back();
-      result.work_in_lift.push_back(0);
-      for (const auto &[unknown, force] : forces)
-        if (base->is_constrained(unknown))
-          {
-            Assert(base->get_constraint_entries(unknown)->empty(),
-                   ExcMessage("Unknowns of a cut are free or supported."));
-            result.work_in_lift.back() += force * lift(unknown);
-          }
-        else
-          {
-            const auto place =
-              std::lower_bound(cut.begin(), cut.end(), unknown) - cut.begin();
-            AssertIndexRange(place, cut.size());
-            numbered.back().emplace_back(place, force);
-          }
-    }
-  const auto on_cut =
-    condensation
-      ->forward_eliminate(condense(*base, residual_of_lift(loads, lift)))
-      .on_cut;
-  numbered.emplace_back();
-  for (unsigned int i = 0; i < cut.size(); ++i)
-    numbered.back().emplace_back(i, on_cut[i]);
-  result.half_displacements = interface->half_displacements(numbered);
-  return result;
 }
 
 

@@ -20,7 +20,8 @@ namespace Setsudan
  * interface is found on its Schur complement (InterfaceSystem), and the rest of
  * the body follows from it by back substitution.
  *
- * One process only.
+ * Of several processes the first one has the factorization and solves with it;
+ * the others wait.
  */
 template <int dim>
 class CondensedSolver : public TangentSolver
@@ -55,24 +56,21 @@ public:
 
   /** The free unknowns of the interface in the present stage. */
   unsigned int
-  n_free() const
-  {
-    return interface->n_free();
-  }
+  n_free() const;
 
   /** What forces on the interface do to each other, in all stages that have
    * been factored. */
   struct Compliance
   {
     /** See InterfaceSystem::half_displacements(). The last column is that of
-     * the loads. */
+     * the loads. On the first process only. */
     dealii::LAPACKFullMatrix<double> half_displacements;
     /** The work of each of the forces in the lift. */
     std::vector<double> work_in_lift;
 
     /** Add the products of all columns over some rows, so that over the free
      * unknowns of a stage they are the work of one force in the displacement
-     * under the other. */
+     * under the other. On the first process. */
     void
     add_products(const unsigned int begin,
                  const unsigned int end,
@@ -80,8 +78,8 @@ public:
   };
 
   /**
-   * @param on_interface forces on unknowns of the cut; those that `base`
-   *   constrains must be supported.
+   * @param on_interface forces on unknowns of the cut, the same on all
+   *   processes; those that `base` constrains must be supported.
    * @param loads, lift as in solve(); the lift has no opening. */
   Compliance
   compliance(const std::vector<UnknownForces> &on_interface,
@@ -95,6 +93,13 @@ private:
     std::vector<double> displacement;
     StaticCondensation::Eliminated loads;
   };
+
+  void
+  condense_onto_cut(const LA::SparseMatrix &matrix);
+
+  /** A vector's entries on the interface. */
+  std::vector<double>
+  on_cut(const LA::Vector &vector) const;
 
   /**
    * StaticCondensation::forward_eliminate(), or its result for the last loads
@@ -141,9 +146,12 @@ private:
 
   const ElasticModel<dim> &model;
   const std::shared_ptr<const Constraints> base;
+  const MPI_Comm communicator;
+  const bool is_first;
   std::shared_ptr<const Constraints> constraints;
   /** The interface unknowns that `base` leaves free, ascending. */
   std::vector<unsigned int> cut;
+  /** On the first process, as the next. */
   std::unique_ptr<StaticCondensation> condensation;
   std::unique_ptr<InterfaceSystem> interface;
   /** The largest sum of a row of the stiffness. */
