@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -14,14 +15,15 @@ using namespace dealii;
 
 namespace
 {
-/** The weights of the nodes of the cut's faces under the hats of their
- * corners: by pair of the corner and pair of the node. */
+/** Weights of nodes under the hats of corners: by pair of the corner and pair
+ * of the node. */
+using HatWeights = std::map<unsigned int, std::map<unsigned int, double>>;
+
+/** Integrates the weights of the nodes of the cut's faces. */
 template <int dim>
 class HatIntegrator
 {
 public:
-  using Weights = std::map<unsigned int, std::map<unsigned int, double>>;
-
   HatIntegrator(const ElasticModel<dim> &model, const Seam<dim> &seam)
     : discretization(model.discretization)
     , linear(1)
@@ -59,7 +61,7 @@ public:
           }
   }
 
-  Weights weights;
+  HatWeights weights;
 
 private:
   const Discretization<dim> &discretization;
@@ -68,6 +70,21 @@ private:
   FEFaceValues<dim> hats, shapes;
   std::map<types::global_dof_index, unsigned int> pair_of;
 };
+
+
+
+/** A corner on the border between processes has faces on several. */
+HatWeights
+sum_over_processes(const HatWeights &weights, const MPI_Comm communicator)
+{
+  HatWeights sum;
+  for (const auto &of_process :
+       Utilities::MPI::all_gather(communicator, weights))
+    for (const auto &[corner, of_corner] : of_process)
+      for (const auto &[pair, weight] : of_corner)
+        sum[corner][pair] += weight;
+  return sum;
+}
 
 
 
@@ -92,6 +109,7 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
                                 const BladeEdge<dim> &edge,
                                 const SlidingBlade &sliding)
   : sliding(sliding)
+  , mpi_communicator(model.discretization.communicator)
 {
   const auto &pairs = seam.pairs();
   const Row &first  = seam.rows().front();
@@ -108,6 +126,8 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
   const auto &discretization = model.discretization;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     {
+      if (!cell->is_locally_owned())
+        continue;
       const auto range  = faces.equal_range(discretization.element(cell));
       const auto points = range.first == range.second
                             ? std::vector<Point<dim>>()
@@ -123,7 +143,8 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
         }
     }
   const auto rows = rows_of_pairs(seam);
-  for (const auto &[corner, weights] : integrator.weights)
+  for (const auto &[corner, weights] :
+       sum_over_processes(integrator.weights, discretization.communicator))
     if (pairs[corner].is_double())
       {
         Hat hat{corner, rows[corner], 0., 0., {weights.begin(), weights.end()}};

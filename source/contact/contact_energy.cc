@@ -170,6 +170,20 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
 
 
 template <int dim>
+Quadratic
+ContactPath<dim>::energy_set_free(const ContactPath &after) const
+{
+  Quadratic result      = energy();
+  const Quadratic rest  = after.energy();
+  const Quadratic taken = friction_work_to(after);
+  for (unsigned int i = 0; i < 3; ++i)
+    result.c[i] -= rest.c[i] + taken.c[i];
+  return result;
+}
+
+
+
+template <int dim>
 double
 ContactPath<dim>::contact_area() const
 {
@@ -208,6 +222,8 @@ ContactPath<dim>::forces(const double travel) const
   template double ContactPath<dim>::friction_work(const double, const double) \
     const;                                                                    \
   template Quadratic ContactPath<dim>::friction_work_to(const ContactPath &)  \
+    const;                                                                    \
+  template Quadratic ContactPath<dim>::energy_set_free(const ContactPath &)   \
     const;                                                                    \
   template double ContactPath<dim>::contact_area() const;                     \
   template std::vector<double> ContactPath<dim>::forces(const double) const;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/contact/contact_path.h>
 #include <setsudan/parameters/exceptions.h>
+#include <setsudan/space/first_process.h>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -252,7 +256,8 @@ ContactPath<dim>::settle(const double travel)
   const unsigned int most          = most_back + profile.facets.size();
   for (unsigned int round = 0; round <= most; ++round)
     {
-      take_piece(travel, problem->active_set(travel, piece.active));
+      take_piece(travel,
+                 [&] { return problem->active_set(travel, piece.active); });
       if (!update_facets(travel, 1e-2 * smallest_step, round < most_back))
         return;
       remake_conditions();
@@ -265,13 +270,22 @@ ContactPath<dim>::settle(const double travel)
 
 template <int dim>
 void
-ContactPath<dim>::take_piece(const double travel, const ActiveSet &active)
+ContactPath<dim>::take_piece(const double travel,
+                             const std::function<ActiveSet()> &active)
 {
-  piece            = problem->piece(active);
-  const auto end   = problem->end_of(piece, travel);
-  end_of_piece     = end ? end->p : std::numeric_limits<double>::infinity();
-  ending_condition = end ? std::optional<unsigned int>(end->condition)
-                         : std::optional<unsigned int>();
+  const auto [found, ends] = of_first_process(basis.communicator(), [&] {
+    const auto of_active = problem->piece(active());
+    std::vector<Complementarity::Breakpoint> end;
+    if (const auto breakpoint = problem->end_of(of_active, travel))
+      end.push_back(*breakpoint);
+    return std::make_pair(of_active, end);
+  });
+  piece                    = found;
+  end_of_piece =
+    ends.empty() ? std::numeric_limits<double>::infinity() : ends[0].p;
+  ending_condition = ends.empty()
+                       ? std::optional<unsigned int>()
+                       : std::optional<unsigned int>(ends[0].condition);
   if (profile.facets.size() < 2)
     return;
   for (const auto &condition : conditions)
@@ -329,7 +343,7 @@ ContactPath<dim>::cross_end()
     }
   const unsigned int i = *ending_condition;
   piece.active[i].flip();
-  take_piece(travel, piece.active);
+  take_piece(travel, [&] { return piece.active; });
   const double slope =
     piece.active[i] ? piece.multipliers.slope[i] : piece.gaps.slope[i];
   // Where many change at once they are found a little beyond.

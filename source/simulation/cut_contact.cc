@@ -2,6 +2,7 @@
 #include <setsudan/simulation/cut_contact.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Setsudan
 {
@@ -61,7 +62,12 @@ CutContact<dim>::advance_products(const unsigned int n)
       products = 0;
       n_summed = 0;
     }
-  compliance.add_products(n_summed, n, products);
+  // Of one process, since round-off decides where contacts change.
+  const MPI_Comm communicator = body.communicator();
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    compliance.add_products(n_summed, n, products);
+  Utilities::MPI::broadcast(
+    &products(0, 0), products.n_elements(), 0, communicator);
   n_summed = n;
 }
 
@@ -98,17 +104,23 @@ CutContact<dim>::load(const ContactPath<dim> &path,
   BladeLoad<dim> blade = no_blade(body.model());
   // Behind the last row the blade stays with it.
   blade.row = std::min<unsigned int>(row, body.seam().rows().size() - 1);
-  const auto forces = path.forces(travel);
-  for (unsigned int v = 0; v < forces.size(); ++v)
-    if (forces[v] != 0)
+  std::map<types::global_dof_index, double> forces;
+  const auto of_vectors = path.forces(travel);
+  for (unsigned int v = 0; v < of_vectors.size(); ++v)
+    if (of_vectors[v] != 0)
       for (const auto &[unknown, factor] : basis.vectors()[v])
-        blade.nodal_forces(unknown) += factor * forces[v];
+        forces[unknown] += factor * of_vectors[v];
+  for (const auto &[unknown, force] : forces)
+    if (body.model().discretization.owned.is_element(unknown))
+      blade.nodal_forces(unknown) = force;
+  blade.nodal_forces.compress(VectorOperation::insert);
   for (const auto &pair : body.seam().pairs())
     for (const auto *side : {&pair.minus, &pair.plus})
       {
         Tensor<1, dim> force;
         for (unsigned int c = 0; c < dim; ++c)
-          force[c] = blade.nodal_forces((*side)[c]);
+          if (const auto found = forces.find((*side)[c]); found != forces.end())
+            force[c] = found->second;
         if (force.norm() > 0 && (side == &pair.minus || pair.is_double()))
           blade.forces.push_back({pair.position, force});
       }

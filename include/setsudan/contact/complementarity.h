@@ -22,6 +22,14 @@ struct LinearInParameter
   {
     return constant[i] + p * slope[i];
   }
+
+  /** For boost::serialization. */
+  template <typename Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &constant &slope;
+  }
 };
 
 /** Which of some unilateral conditions hold with equality. */
@@ -52,6 +60,14 @@ public:
     LinearInParameter gaps;
     /** Along the vectors, as far as the multipliers cause them. */
     LinearInParameter displacements;
+
+    /** For boost::serialization. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &active &multipliers &gaps &displacements;
+    }
   };
 
   /** Where a piece ends: the condition that would be violated beyond. */
@@ -59,6 +75,14 @@ public:
   {
     double p;
     unsigned int condition;
+
+    /** For boost::serialization. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &p &condition;
+    }
   };
 
   /** @param products G, which must live as long. */

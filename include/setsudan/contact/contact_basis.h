@@ -68,7 +68,7 @@ public:
     double depth;
   };
 
-  /** One process only.
+  /** The same on all processes.
    *
    * @param surface the faces of the cut.
    * @param sliding whether there is a component aside, and how far the edge
@@ -78,6 +78,12 @@ public:
                const Seam<dim> &seam,
                const BladeEdge<dim> &edge,
                const SlidingBlade &sliding);
+
+  MPI_Comm
+  communicator() const
+  {
+    return mpi_communicator;
+  }
 
   const std::vector<Hat> &
   hats() const
@@ -121,6 +127,7 @@ private:
   make_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
 
   const SlidingBlade sliding;
+  const MPI_Comm mpi_communicator;
 
   std::vector<Hat> all_hats;
   std::vector<EdgeNode> all_edge_nodes;

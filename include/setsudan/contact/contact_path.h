@@ -7,6 +7,7 @@
 #include <setsudan/contact/quadratic.h>
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -116,6 +117,10 @@ public:
   Quadratic
   friction_work_to(const ContactPath &after) const;
 
+  /** What is left of the energy for new surface, and for an excess. */
+  Quadratic
+  energy_set_free(const ContactPath &after) const;
+
   /** The area on which the flanks press. */
   double
   contact_area() const;
@@ -182,8 +187,9 @@ private:
   bool
   update_facets(const double travel, const double tolerance, const bool back);
 
+  /** Take the piece of an active set, which one process finds. */
   void
-  take_piece(const double travel, const ActiveSet &active);
+  take_piece(const double travel, const std::function<ActiveSet()> &active);
 
   unsigned int &
   facet(const unsigned int hat, const Wall wall)
