@@ -29,6 +29,7 @@ def plot_curve(run, title, name):
             if lines:
                 plot_parts(axes, lines)
                 mark(axes, run, cut, lines)
+                mark_steady(axes, run, yields_of(run, cut))
             axes.set_ylabel(label("force", run, "Force unit"))
             axes.set_xlabel(label("travel", run, "Length unit"))
         panels[0, 0].set_title(title, fontsize=9, loc="left")
@@ -37,6 +38,32 @@ def plot_curve(run, title, name):
         figure.savefig(f"{name}.png", dpi=200)
         figure.savefig(f"{name}.pdf")
         plt.close(figure)
+
+
+def plot_together(runs, name):
+    """NAME.png and NAME.pdf: the mean forces of several runs, in their first cuts."""
+    with plt.rc_context({"font.size": 8, "axes.linewidth": 0.6}):
+        figure, axes = plt.subplots(figsize=(4.2, 2.8), constrained_layout=True)
+        for run in runs:
+            yields = yields_of(run, run.cuts[0])
+            axes.step([0.0] + [line["travel"] for line in yields],
+                      [0.0] + [line["mean_force"] for line in yields], where="pre",
+                      linewidth=1, label=run.name())
+        axes.set_xlim(left=0)
+        axes.set_ylim(bottom=0)
+        axes.grid(alpha=0.3, linewidth=0.5)
+        axes.set_xlabel(label("travel", runs[0], "Length unit"))
+        axes.set_ylabel(label("mean force", runs[0], "Force unit"))
+        axes.legend(fontsize=7, frameon=False)
+        figure.savefig(f"{name}.png", dpi=200)
+        figure.savefig(f"{name}.pdf")
+        plt.close(figure)
+
+
+def yields_of(run, cut):
+    """The states in which rows yield."""
+    return [line for line in run.statistics
+            if line["cut"] == cut and line["event"] == "deform"]
 
 
 def plot_parts(axes, lines):
@@ -70,6 +97,20 @@ def mark(axes, run, cut, lines):
                       xytext=(-2 if line is not first else 2, -3), va="top",
                       ha="right" if line is not first else "left", fontsize=7,
                       textcoords="offset points", rotation=90)
+
+
+def mark_steady(axes, run, yields):
+    """The mean force while the front is in the middle half of the cut."""
+    deepest = yields[-1]["depth"]
+    middle = [line for line in yields if deepest / 4 <= line["depth"] <= 3 * deepest / 4]
+    if len(middle) < 3:
+        return
+    begin, end = middle[0], middle[-1]
+    force = (end["work"] - begin["work"]) / (end["travel"] - begin["travel"])
+    axes.plot([begin["travel"], end["travel"]], [force, force], "k--", linewidth=1)
+    axes.annotate("mean " + with_unit(force, run, "Force unit"),
+                  (end["travel"], force), xytext=(0, 2), va="bottom", ha="right",
+                  fontsize=7, textcoords="offset points")
 
 
 def label(what, run, name):

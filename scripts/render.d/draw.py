@@ -13,6 +13,7 @@ import os
 import numpy as np
 from camera import Camera
 from colours import choose_colours
+from curve import plot_together, travels
 from frame import Frame
 from painter import Painter, outline_of
 from run_directory import RunDirectory
@@ -50,6 +51,10 @@ def main(options):
                     title=options.title or run.name())
         paint_run(painter, camera, run, of_run, view)
         draw_sheets(run)
+    travelling = [run for run in runs if travels(run)]
+    if len(travelling) > 1:
+        for run in travelling:
+            plot_together(travelling, os.path.join(run.path, "render", "mean_forces"))
 
 
 def read_options():
