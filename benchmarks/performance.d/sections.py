@@ -14,6 +14,7 @@ import peers
 from measure import benchmark, cube, number, program, remembered, table
 
 # The settings that differ from run to run.
+PLANE = pathlib.Path(__file__).resolve().parent / "plane.prm"
 ANEW = {"Solver/Method": "direct", "Division/Solve": "every row anew"}
 CONDENSED = {"Division/Solve": "condensed"}
 ITERATIVE = {"Solver/Method": "iterative"}
@@ -307,11 +308,40 @@ def frames(n=20):
                  [["none", 1], ["every row", f"{with_frames / without:.2f}"]])
 
 
+def travels():
+    """Cuts by a blade that travels, over the cut of the same body under given forces, all
+    with element rows and without friction; and cuts in plane strain on elements that
+    resolve the force, in seconds. Each state of a travelling blade is followed through all
+    changes of its contact, for the rows as they are split and for each of those that may
+    split next."""
+    travel = {"Blade/Drive": "travel", "Blade/Edge loads": "", "Blade/Sharpness": 0,
+              "Yield/Criterion": "energy release", "Yield/Check": "every row",
+              "Material/Toughness": .1}
+    wedge = {"Blade/Shape": "wedge", "Blade/Wedge angle": 20, "Blade/Thickness": .1,
+             "Blade/Shoulder radius": .05}
+    large_wedge = {**wedge, "Blade/Thickness": 1, "Blade/Shoulder radius": .5}
+    in_space = {**cube(20), "Division/Release": "element row"}
+    runs = {"given forces": (measure.CUBE, in_space),
+            "thin blade": (measure.CUBE, {**in_space, **travel}),
+            "wedge": (measure.CUBE, {**in_space, **travel, **large_wedge}),
+            "thin blade, plane strain": (PLANE, {}),
+            "wedge, plane strain": (PLANE, wedge)}
+    seconds = {name: remembered(f"travel, {name}", lambda of=of: program(*of).seconds)
+               for name, of in runs.items()}
+    unit = seconds["given forces"]
+    lines = [[name, number(value if "plane" in name else value / unit)]
+             for name, value in seconds.items()]
+    return (table(["cut of 20 rows, 107 163 unknowns", "time"], lines[:3])
+            + f"\n\nThe unit is {unit:.2g} s.\n\n"
+            + table(["cut of 200 rows", "time [s]"], lines[3:]))
+
+
 SECTIONS = {
     "One solve": one_solve,
     "A larger solve": larger_solve,
     "The equations alone": one_equation,
     "A whole cut": whole_cut,
+    "A blade that travels": travels,
     "From a thousand to ten million unknowns": sizes,
     "Slender and nearly incompressible bodies": hard_bodies,
     "The product without a matrix": operator,
