@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/cut/seam/opening_force.h>
 #include <setsudan/mechanics/balance.h>
 #include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/parameters/exceptions.h>
@@ -142,6 +143,15 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
     {
       event.reaction[d]    = balance.reaction[d];
       event.clamp_force[d] = balance.clamp_force[d];
+    }
+  if (body.has_cut())
+    {
+      LA::Vector exerted = state.internal;
+      exerted -= state.forces;
+      const auto opening =
+        opening_force(body.seam(), body.pair_states(), exerted);
+      event.opening_force = opening.total;
+      event.opening_pull  = opening.pull;
     }
   const auto overlap =
     find_wall_overlap(body.walls(), state.displacement, body.communicator());

@@ -55,6 +55,20 @@ warn_of_overlap(const Event &event,
 }
 
 std::string
+warn_of_pull(const Event &event, const std::string &force_unit)
+{
+  std::ostringstream message;
+  message.precision(3);
+  message << "in frame " << event.frame
+          << " split rows would gape by more than Blade/Thickness: keeping "
+             "them that far apart pulls with a force of "
+          << event.opening_pull << " " << force_unit
+          << ", which no blade does. Set Division/Split rows = free, or "
+             "Blade/Drive = travel.";
+  return message.str();
+}
+
+std::string
 warn_of_round_off(const SolveQuality &quality)
 {
   std::ostringstream message;
@@ -106,6 +120,12 @@ ResultsWriter<dim>::doubt(const Event &event,
   doubt_for(&Doubts::overlap,
             !has_contact && overlap.depth > 1e-6 * scene.body.mesh.extent(),
             [&] { return warn_of_overlap(event, overlap, scene.length_unit); });
+  // A gap that is prescribed up to tied rows pulls a little between pushes.
+  constexpr double large_part = 0.1;
+  const double push           = event.opening_force + event.opening_pull;
+  doubt_for(&Doubts::pull, event.opening_pull > large_part * push, [&] {
+    return warn_of_pull(event, scene.force_unit);
+  });
   doubt_for(&Doubts::round_off,
             state.quality.residual > 1e-8 ||
               state.quality.estimated_relative_error > 1e-5,
@@ -141,6 +161,7 @@ ResultsWriter<dim>::describe_doubts() const
   add(doubts.strain, "strain beyond Material/Linear range");
   add(doubts.jacobian, "elements inside out");
   add(doubts.overlap, "walls of a cut through each other");
+  add(doubts.pull, "rows pulled together by the blade's thickness");
   add(doubts.round_off, "digits lost by the solver");
   return std::to_string(doubts.n_states) +
          " of them not to be trusted: " + reasons;

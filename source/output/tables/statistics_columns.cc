@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/output/tables/statistics_columns.h>
 
+#include <algorithm>
 #include <ostream>
 #include <sstream>
 
@@ -182,6 +183,27 @@ add_motion(std::vector<StatisticsColumn> &columns)
     &BladeMotion::excess_energy);
 }
 
+/** What keeps the walls apart where no blade does by contact. */
+void
+add_opening(std::vector<StatisticsColumn> &columns)
+{
+  columns.push_back(
+    column("opening_force",
+           "F",
+           "The force on one wall, across the cut, that keeps split rows "
+           "Blade/Thickness apart; these columns are there with Blade/Drive = "
+           "force.",
+           &Event::opening_force));
+  columns.push_back(
+    column("opening_pull",
+           "F",
+           "The part of it that pulls rows together, which no blade does.",
+           &Event::opening_pull));
+}
+
+/** How many columns that is. */
+constexpr unsigned int n_of_opening = 2;
+
 /** The state of the whole body. */
 std::vector<StatisticsColumn>
 columns_of_body()
@@ -261,6 +283,8 @@ statistics_columns(const bool has_errors, const bool travels)
                      pieces_of_row});
   if (travels)
     add_motion(columns);
+  else
+    add_opening(columns);
   if (has_errors)
     {
       columns.push_back(
@@ -284,8 +308,14 @@ void
 document_columns(std::ostream &out)
 {
   out << "| column | unit | meaning |\n|---|---|---|\n";
-  for (const auto &column : statistics_columns(true, true))
+  const auto write = [&](const StatisticsColumn &column) {
     out << "| `" << column.name << "` | " << column.unit << " | "
         << column.meaning << " |\n";
+  };
+  for (const auto &column : statistics_columns(false, false))
+    write(column);
+  const auto n_always = statistics_columns(false, false).size() - n_of_opening;
+  const auto all      = statistics_columns(true, true);
+  std::for_each(all.begin() + n_always, all.end(), write);
 }
 } // namespace Setsudan

@@ -53,6 +53,10 @@ struct Event
   double mean_force = 0;
   /** How far the walls of cuts have moved through each other. */
   double overlap = 0;
+  /** The force that keeps split rows the blade's thickness apart, and the part
+   * of it that pulls. */
+  double opening_force = 0;
+  double opening_pull  = 0;
   /** The pieces in which the row's front lies, as they were before this cut. */
   std::vector<unsigned int> row_pieces = {0};
 
@@ -68,6 +72,7 @@ struct Event
     archive &potential_energy &max_displacement &force_residual;
     archive &moment_residual &min_jacobian &pieces &seconds &max_strain;
     archive &max_shear &reaction &clamp_force &overlap &row_pieces;
+    archive &opening_force &opening_pull;
     archive &has_errors &values;
     if (has_errors)
       errors = values;

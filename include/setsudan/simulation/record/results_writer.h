@@ -27,6 +27,8 @@ struct Doubts
   unsigned int jacobian = 0;
   /** Walls of cuts that have moved through each other. */
   unsigned int overlap = 0;
+  /** Split rows that the blade's thickness pulls together. */
+  unsigned int pull = 0;
   /** Digits that the solver has lost. */
   unsigned int round_off = 0;
 };
