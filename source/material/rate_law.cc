@@ -16,9 +16,9 @@ RateLaw::declare(ParameterHandler &handler)
     "Rate exponent",
     "0",
     Patterns::Double(),
-    "n, with which a front of speed v needs the toughness times 1 "
-    "+ (v/v0)^n, under a blade that travels; 0 if speed does not "
-    "matter [-].");
+    "n, with which a front of speed v needs the toughness, or the limit of "
+    "stress, times 1 + (v/v0)^n, under a blade that travels; 0 if speed does "
+    "not matter [-].");
   Setsudan::declare(handler,
                     "Material",
                     "Rate speed",

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <setsudan/cut/yield/cutting_stress.h>
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/blade_travel.h>
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +14,6 @@ using namespace dealii;
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/** The energy that is left for new surface where one stage follows another,
- * over the travel. */
-template <int dim>
-Quadratic
-energy_set_free(const ContactPath<dim> &before, const ContactPath<dim> &after)
-{
-  Quadratic result      = before.energy();
-  const Quadratic rest  = after.energy();
-  const Quadratic taken = before.friction_work_to(after);
-  for (unsigned int i = 0; i < 3; ++i)
-    result.c[i] -= rest.c[i] + taken.c[i];
-  return result;
-}
-
-
 
 /** Move the blade on while the contacts stay as they are. */
 template <int dim>
@@ -102,6 +83,7 @@ template <int dim>
 BladeTravel<dim>::BladeTravel(const Scene<dim> &scene)
   : Drive<dim>(scene)
   , profile(scene.blade.profile)
+  , search(SplitSearch<dim>::make(scene))
 {
 }
 
@@ -122,139 +104,28 @@ BladeTravel<dim>::contact(CutBody<dim> &body)
 
 
 template <int dim>
-unsigned int
-BladeTravel<dim>::n_looked_ahead(CutBody<dim> &body,
-                                 const unsigned int row) const
-{
-  const unsigned int given = this->scene.division.look_ahead;
-  const auto &rows         = body.seam().rows();
-  if (given > 0 || row + 1 >= rows.size())
-    return std::max(given, 1u);
-  // A cut begins with about 3.7 times this length on any mesh.
-  const RowArea &opened = body.area_of_row(row);
-  const double length =
-    requirement(opened.energy, this->scene.blade.sharpness) / opened.area /
-    this->scene.material.smallest_youngs_modulus();
-  const double row_length = rows[row + 1].depth - rows[row].depth;
-  return std::max(2., std::ceil(4 * length / row_length));
-}
-
-
-
-template <int dim>
-std::vector<typename BladeTravel<dim>::Trial>
-BladeTravel<dim>::make_trials(CutBody<dim> &body,
-                              const unsigned int row,
-                              const double travel)
-{
-  const unsigned int n_left = body.seam().rows().size() - row;
-  const unsigned int most   = std::min(n_looked_ahead(body, row), n_left);
-  std::vector<Trial> trials;
-  double area = 0, required = 0;
-  const ContactPath<dim> *neighbour = path.get();
-  for (unsigned int n = 1; n <= most; ++n)
-    {
-      const RowArea &opened = body.area_of_row(row + n - 1);
-      area += opened.area;
-      required += requirement(opened.energy, this->scene.blade.sharpness);
-      trials.push_back({n,
-                        area,
-                        required,
-                        body.length_of_rows(row, n),
-                        contact(body).path(row + n, 0, travel, neighbour)});
-      neighbour = trials.back().path.get();
-    }
-  return trials;
-}
-
-
-
-template <int dim>
-double
-BladeTravel<dim>::rate_factor(const double length,
-                              const BladeMotion &motion) const
-{
-  const double moved = motion.travel - motion.last_split;
-  return this->scene.rate.is_active()
-           ? this->scene.rate.factor(length / moved * this->scene.blade.speed)
-           : 1.;
-}
-
-
-
-template <int dim>
-std::optional<double>
-BladeTravel<dim>::travel_of_split(const Trial &trial,
-                                  const BladeMotion &motion,
-                                  const double end) const
-{
-  Quadratic gain = energy_set_free(*path, *trial.path);
-  if (!this->scene.rate.is_active())
-    {
-      gain.c[0] -= trial.required;
-      return gain.first_root(motion.travel, end);
-    }
-  // What is required falls with the time since the last split, from infinity.
-  const auto excess = [&](const double p) {
-    BladeMotion there = motion;
-    there.travel      = p;
-    return gain(p) / (trial.required * rate_factor(trial.length, there)) - 1;
-  };
-  if (excess(motion.travel) >= 0)
-    return motion.travel;
-  double last = std::min(end, motion.travel + trial.length);
-  while (excess(last) < 0 && last < end)
-    last = std::min(end, motion.travel + 2 * (last - motion.travel));
-  if (!(excess(last) >= 0))
-    return {};
-  boost::uintmax_t most = 200;
-  return boost::math::tools::toms748_solve(
-           excess,
-           motion.travel,
-           last,
-           boost::math::tools::eps_tolerance<double>(52),
-           most)
-    .second;
-}
-
-
-
-template <int dim>
-const typename BladeTravel<dim>::Trial *
-BladeTravel<dim>::follow(std::vector<Trial> &trials, BladeMotion &motion)
+std::optional<Split>
+BladeTravel<dim>::follow(BladeMotion &motion)
 {
   // More changes of the contact than a row has.
   constexpr unsigned int most = 1000000;
   for (unsigned int n_changes = 0; n_changes < most; ++n_changes)
     {
-      double end = path->end();
-      for (const auto &trial : trials)
-        end = std::min(end, trial.path->end());
-      const Trial *first = nullptr;
-      double travel      = end;
-      for (const auto &trial : trials)
-        {
-          const auto root = travel_of_split(trial, motion, travel);
-          if (root && (!first || *root < travel))
-            {
-              first  = &trial;
-              travel = *root;
-            }
-        }
-      if (!first && end == infinity)
-        return nullptr;
+      const double end    = std::min(path->end(), search->end());
+      const auto split    = search->first_split(motion, end);
+      const double travel = split ? split->travel : end;
+      if (travel == infinity)
+        return {};
       move_to(travel,
               this->scene.blade.sliding.slice,
               this->scene.blade.speed,
               *path,
               motion);
-      if (first)
-        return first;
+      if (split)
+        return split;
       if (path->end() <= travel)
         motion.excess_energy += path->cross_end();
-      for (auto &trial : trials)
-        if (trial.path->end() <= travel)
-          trial.path->cross_end();
+      search->cross(travel);
     }
   throw SolverError("The contact of the blade does not settle at a travel of " +
                     std::to_string(motion.travel) +
@@ -298,19 +169,15 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
     motion.travel = motion.last_split = 0;
   CutContact<dim> &of_cut = contact(body);
   if (!path)
-    path = of_cut.path(row, n_looked_ahead(body, row), motion.travel, nullptr);
-  auto trials             = make_trials(body, row, motion.travel);
-  const Trial *const next = follow(trials, motion);
-  motion.n_rows_to_split  = next ? next->n_rows : 0;
-  State<dim> state        = solve(body, row, motion, from);
-  state.yields            = next != nullptr;
-  if (!next)
-    return state;
-  const double released = energy_set_free(*path, *next->path)(motion.travel);
-  const double required = next->required * rate_factor(next->length, motion);
-  // Behind the last nodes there may be nothing to open.
-  if (next->area > 0)
-    state.stress = {released / next->area, required / next->area};
+    path = of_cut.path(
+      row, search->n_looked_ahead(body, row), motion.travel, nullptr);
+  search->begin(body, of_cut, row, *path, motion.travel);
+  const auto split       = follow(motion);
+  motion.n_rows_to_split = split ? split->n_rows : 0;
+  State<dim> state       = solve(body, row, motion, from);
+  state.yields           = split.has_value();
+  if (split)
+    state.stress = split->stress;
   return state;
 }
 
@@ -327,18 +194,15 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
   CutContact<dim> &of_cut   = contact(body);
   if (!path)
     path = of_cut.path(before, row - before, motion.travel, nullptr);
-  auto split =
-    of_cut.path(row, n_looked_ahead(body, row), motion.travel, path.get());
-  double required = 0;
-  for (unsigned int r = before; r < row; ++r)
-    required +=
-      requirement(body.area_of_row(r).energy, this->scene.blade.sharpness);
-  required *= rate_factor(body.length_of_rows(before, row - before), motion);
+  auto split = of_cut.path(
+    row, search->n_looked_ahead(body, row), motion.travel, path.get());
+  const double released = path->energy_set_free(*split)(motion.travel);
+  const double taken =
+    search->surface_energy(body, before, row - before, motion, released);
   motion.last_split = motion.travel;
-  motion.surface_energy += required;
+  motion.surface_energy += taken;
   motion.friction_energy += path->friction_work_to(*split)(motion.travel);
-  motion.excess_energy +=
-    energy_set_free(*path, *split)(motion.travel) - required;
+  motion.excess_energy += released - taken;
   motion.n_rows_to_split = 0;
   path                   = std::move(split);
   return solve(body, row, motion, from);

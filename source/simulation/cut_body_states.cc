@@ -109,8 +109,9 @@ CutBody<dim>::stages() const
   stages.n_rows = newest_seam->rows().size();
   // Where a piece comes loose constraints change by more than a row, and a
   // criterion may look at states beside those of the cut.
-  stages.are_known = severed.all_held() &&
-                     (the_scene.blade.travels || !the_scene.yield.needs_seam());
+  stages.are_known =
+    severed.all_held() &&
+    (the_scene.blade.travels || !the_scene.yield.compares_energies());
   stages.interface_unknowns = [this] {
     return newest_seam->coupled_indices(
       present_model->discretization.dof_handler.n_dofs());

@@ -89,7 +89,8 @@ describe_resolution(const CutBody<dim> &body)
 {
   const Scene<dim> &scene = body.scene();
   const auto &rows        = body.seam().rows();
-  if (!scene.blade.travels || rows.size() < 2)
+  if (!scene.blade.travels || !scene.yield.compares_energies() ||
+      rows.size() < 2)
     return {};
   const double length =
     requirement(scene.material.smallest_toughness(), scene.blade.sharpness) /
@@ -157,10 +158,11 @@ describe_arrest(const Scene<dim> &scene,
   line.precision(6);
   line << "Arrested at row " << event.row + 1 << " of " << n_rows << ": ";
   if (event.motion)
-    return line.str() +
-           "however far the blade travels, no split of the next rows sets free "
-           "what their area takes. Let more rows split at once "
-           "(Division/Look-ahead).";
+    return line.str() + "however far the blade travels, " +
+           (scene.yield.compares_energies()
+              ? "no split of the next rows sets free what their area takes. "
+                "Let more rows split at once (Division/Look-ahead)."
+              : "the stress at the front does not reach what is required.");
   line << "the " << scene.yield.quantity() << " reached "
        << event.cutting_stress << " and " << event.required_stress
        << " is required, at load factor " << event.load_factor;

@@ -150,10 +150,6 @@ check_travel(const Parameters &parameters, const Scene<dim> &scene)
     parameters.require(
       holds, subsection, name, allowed + " where Blade/Drive is travel");
   };
-  require(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1,
-          "Blade",
-          "Drive",
-          "force on several processes; one process is what runs");
   require(!scene.cut.cuts.empty(), "Cut", "Surfaces", "a cut");
   for (const auto &loads : scene.blade.edge_loads)
     require(loads.empty(),
@@ -165,10 +161,6 @@ check_travel(const Parameters &parameters, const Scene<dim> &scene)
           "Blade",
           "Thickness",
           "less than the size of the body");
-  require(scene.yield.criterion == YieldParameters::Criterion::energy_release,
-          "Yield",
-          "Criterion",
-          "energy release");
   require(scene.yield.check == YieldParameters::Check::every_row,
           "Yield",
           "Check",

@@ -89,7 +89,7 @@ Simulation<dim>::make_cut(const unsigned int cut)
 {
   if (!begin_cut(cut))
     return true;
-  if (scene.yield.needs_seam())
+  if (scene.needs_seam())
     {
       state = solve(body.blade_on_row(0), 1);
       split_nodes();
@@ -119,7 +119,7 @@ Simulation<dim>::make_cut_from(const unsigned int first_row)
           arrest();
           return false;
         }
-      if (row == 0 && !scene.yield.needs_seam())
+      if (row == 0 && !scene.needs_seam())
         split_nodes();
       const unsigned int n_rows =
         state.motion ? state.motion->n_rows_to_split : 1;

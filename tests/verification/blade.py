@@ -197,9 +197,34 @@ def rate_rows(options, _):
                   cut.change("time"), 1e-9)
 
 
+def stress_rows(options, _):
+    """A blade that travels and one whose load rises split a row at one force, where
+    nothing but the front touches them. A row may only split at a larger force where it
+    yields as the one before it splits, which leaves the force where it is: a corner's
+    behind a mid-side node's."""
+    for release in ("node row", "element row"):
+        scene = {
+            **PLANE, "Body/Size": "1, 1", "Body/Elements": "8, 8", "Cut/Surfaces": "x:4",
+            "Support/Fixed faces": "", "Support/Fixed components": "bottom : y",
+            "Support/Displacements": "left : -0.1, free; right : 0.1, free",
+            "Yield/Criterion": "maximum shear", "Material/Shear limit": .5,
+            "Division/Release": release}
+        travel = run_table(options, scene)
+        ramp = run_table(options, {
+            **scene, "Blade/Drive": "force", "Blade/Edge loads": "0 : 1",
+            "Division/Load control": "ramp", "Division/Split rows": "free"})
+        forces = [[number(line, "blade_force") for line in lines
+                   if line["event"] == "yield"] for lines in (travel, ramp)]
+        yield Row("rows", release, len(forces[1]), len(forces[0]), 0)
+        yield Row("force of the first row, travel over ramp", release,
+                  forces[1][0], forces[0][0], 1e-9)
+        yield Row("largest force of a row, travel over ramp", release,
+                  max(forces[1]), max(forces[0]), 1e-9)
+
+
 def rows(options, long):
     for of_kind in (thin_rows, wedge_rows, cantilever_rows, slab_rows, slicing_rows,
-                    rate_rows):
+                    rate_rows, stress_rows):
         yield from of_kind(options, long)
 
 

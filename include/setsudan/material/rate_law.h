@@ -5,7 +5,7 @@
 
 namespace Setsudan
 {
-/** How toughness depends on the speed v of the front: times 1 + (v / v0)^n. */
+/** How toughness and limits of stress depend on the speed v of the front: times 1 + (v / v0)^n. */
 struct RateLaw
 {
   /** n; 0 if it does not. */
@@ -24,7 +24,7 @@ struct RateLaw
     return exponent > 0;
   }
 
-  /** What the toughness is multiplied with. */
+  /** What they are multiplied with. */
   double
   factor(const double front_speed) const;
 };

@@ -42,6 +42,14 @@ struct Scene
   /** @throw SceneError for what is not possible. */
   explicit Scene(const Parameters &parameters);
 
+  /** Whether the nodes of a cut are duplicated before its first row is asked
+   * whether it yields. */
+  bool
+  needs_seam() const
+  {
+    return yield.compares_energies() || blade.travels;
+  }
+
   const std::string length_unit;
   const std::string force_unit;
   const BodyParameters<dim> body_parameters;

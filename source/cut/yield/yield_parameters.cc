@@ -84,7 +84,7 @@ YieldParameters::YieldParameters(const Parameters &parameters)
 
 
 bool
-YieldParameters::needs_seam() const
+YieldParameters::compares_energies() const
 {
   return criterion == Criterion::energy_release;
 }
@@ -94,7 +94,7 @@ YieldParameters::needs_seam() const
 std::string
 YieldParameters::quantity() const
 {
-  return needs_seam() ? "energy release" : "cutting stress";
+  return compares_energies() ? "energy release" : "cutting stress";
 }
 
 
@@ -102,6 +102,6 @@ YieldParameters::quantity() const
 std::string
 YieldParameters::unit(const std::string &force, const std::string &length) const
 {
-  return force + "/" + length + (needs_seam() ? "" : "^2");
+  return force + "/" + length + (compares_energies() ? "" : "^2");
 }
 } // namespace Setsudan

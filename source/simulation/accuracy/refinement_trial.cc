@@ -104,7 +104,7 @@ RefinementTrial<dim>::add_state(const std::optional<unsigned int> &row)
                 row ? body.blade_on_row(*row) : no_blade(body.model()),
                 1,
                 body.model().discretization.zero_vector());
-  if (row && !scene.yield.needs_seam())
+  if (row && !scene.needs_seam())
     check_yield(body, *row, state);
   const StateError error = estimate_error_of_state(body, row, state);
   of_this.values.push_back(scene.accuracy.quantity ==

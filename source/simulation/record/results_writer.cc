@@ -308,7 +308,7 @@ ResultsWriter<dim>::show_row(const Event &event, const unsigned int n_rows)
   line << "  row " << event.row + 1 << "/" << n_rows << "  depth "
        << event.depth << " " << scene.length_unit << "  force "
        << event.blade_force << " " << scene.force_unit << "  "
-       << (scene.yield.needs_seam() ? "energy " : "stress ")
+       << (scene.yield.compares_energies() ? "energy " : "stress ")
        << event.cutting_stress << " of " << event.required_stress << " "
        << scene.yield.unit(scene.force_unit, scene.length_unit) << " required";
   if (event.row > 0)

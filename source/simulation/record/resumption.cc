@@ -106,7 +106,7 @@ repeat_surgeries(const Checkpoint &checkpoint, CutBody<dim> &body)
                            checkpoint.stage == Checkpoint::Stage::divided;
       const unsigned int n_split =
         divided ? body.seam().rows().size() : checkpoint.event.row;
-      if (n_split == 0 && !scene.yield.needs_seam())
+      if (n_split == 0 && !scene.needs_seam())
         continue;
       body.split_nodes();
       for (unsigned int row = 0; row < n_split; ++row)

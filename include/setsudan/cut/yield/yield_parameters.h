@@ -34,10 +34,11 @@ struct YieldParameters
 
   explicit YieldParameters(const Parameters &parameters);
 
-  /** Whether it compares the body with and without its next row, for which the
+  /** Whether what drives and what is required are energies for an area and not
+   * stresses: the body is compared with and without its next row, for which the
    * nodes must be duplicated already. */
   bool
-  needs_seam() const;
+  compares_energies() const;
 
   /** What is compared with the requirement, in words. */
   std::string

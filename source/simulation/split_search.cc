@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/simulation/energy_split_search.h>
+#include <setsudan/simulation/stress_split_search.h>
+
+namespace Setsudan
+{
+template <int dim>
+std::unique_ptr<SplitSearch<dim>>
+SplitSearch<dim>::make(const Scene<dim> &scene)
+{
+  if (scene.yield.criterion == YieldParameters::Criterion::energy_release)
+    return std::make_unique<EnergySplitSearch<dim>>(scene);
+  return std::make_unique<StressSplitSearch<dim>>(scene);
+}
+
+
+
+template <int dim>
+SplitSearch<dim>::SplitSearch(const Scene<dim> &scene)
+  : scene(scene)
+{
+}
+
+
+
+template <int dim>
+double
+SplitSearch<dim>::rate_factor(const double length,
+                              const BladeMotion &motion,
+                              const double travel) const
+{
+  return scene.rate.is_active()
+           ? scene.rate.factor(length / (travel - motion.last_split) *
+                               scene.blade.speed)
+           : 1.;
+}
+
+
+
+template class SplitSearch<2>;
+template class SplitSearch<3>;
+} // namespace Setsudan
