@@ -104,10 +104,13 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                         "force', separated by commas; the position is the "
                         "coordinate of the axis nearest to the edge, or the "
                         "length along the edge of a cut that no axis follows. "
+                        "'uniform : force' spreads a force evenly over the "
+                        "front, by itself or beside others. "
                         "One list for all cuts, or one for each, separated by "
                         "';' [length : force]."
-                      : "The blade's force along Direction, as '0 : force': in "
-                        "2D the edge is a point [- : force/thickness].");
+                      : "The blade's force along Direction, as '0 : force' or "
+                        "'uniform : force': in 2D the edge is a point "
+                        "[- : force/thickness].");
 }
 
 
@@ -140,19 +143,24 @@ read_direction(const Parameters &parameters, const std::string &text)
   return direction / direction.norm();
 }
 
-std::vector<EdgeLoad>
+EdgeLoads
 read_edge_loads(const Parameters &parameters, const std::string &text)
 {
-  std::vector<EdgeLoad> loads;
+  EdgeLoads loads;
   for (const auto &[position, force] : split_items(text, ','))
     {
+      const bool is_uniform = position == "uniform";
       std::vector<double> s, f;
-      parameters.require(parse_numbers(position, s) && s.size() == 1 &&
-                           parse_numbers(force, f) && f.size() == 1,
-                         "Blade",
-                         "Edge loads",
-                         "a list of 'position : force'");
-      loads.push_back({s[0], f[0]});
+      parameters.require(
+        (is_uniform || (parse_numbers(position, s) && s.size() == 1)) &&
+          parse_numbers(force, f) && f.size() == 1,
+        "Blade",
+        "Edge loads",
+        "a list of 'position : force' and 'uniform : force'");
+      if (is_uniform)
+        loads.uniform += f[0];
+      else
+        loads.points.push_back({s[0], f[0]});
     }
   return loads;
 }

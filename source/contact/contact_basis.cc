@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace Setsudan
 {
@@ -111,10 +112,8 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
   : sliding(sliding)
   , mpi_communicator(model.discretization.communicator)
 {
-  const auto &pairs = seam.pairs();
-  const Row &first  = seam.rows().front();
-  const double entry =
-    edge.travel(pairs[first.front.front()].position) - first.depth;
+  const auto &pairs   = seam.pairs();
+  const double entry  = travels_of_pairs(pairs, edge)[0];
   const auto depth_of = [&](const unsigned int pair) {
     return edge.travel(pairs[pair].position) - entry;
   };
@@ -157,8 +156,15 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
         all_hats.push_back(hat);
       }
   for (unsigned int row = 0; row < seam.rows().size(); ++row)
-    for (const unsigned int pair : seam.rows()[row].front)
-      all_edge_nodes.push_back({pair, row, depth_of(pair)});
+    {
+      // A front that is closed, or branches, has a node more than once. The
+      // edge takes the front's shape: a straight one would stick on the nodes
+      // of a front that is not.
+      std::set<unsigned int> taken;
+      for (const unsigned int pair : seam.rows()[row].front)
+        if (taken.insert(pair).second)
+          all_edge_nodes.push_back({pair, row, seam.rows()[row].depth});
+    }
   make_vectors(seam, edge);
 }
 

@@ -97,9 +97,32 @@ CutBody<dim>::begin_cut(const Cut<dim> &cut)
   cells_at_seam.reset();
   const auto nodes = collect_surface_nodes(
     *present_model, {surface}, the_scene.body, split_mesh_to_come);
-  newest_seam = std::make_unique<Seam<dim>>(
-    nodes[0].pairs, make_rows(nodes[0], cut.edge, the_scene.division));
+  newest_seam =
+    std::make_unique<Seam<dim>>(nodes[0].pairs, find_rows(nodes[0]));
   return true;
+}
+
+
+
+template <int dim>
+std::vector<Row>
+CutBody<dim>::find_rows(const SurfaceNodes<dim> &nodes)
+{
+  n_cells_on_line = nodes.n_cells_on_line;
+  std::vector<SurfaceStrip> of_bands;
+  if (the_scene.division.release == DivisionParameters::Release::face_band)
+    of_bands = strips();
+  return make_rows(nodes, cut().edge, the_scene.division, of_bands);
+}
+
+
+
+template <int dim>
+std::vector<SurfaceStrip>
+CutBody<dim>::strips() const
+{
+  return strips_of_surface(
+    the_scene.body, surface(), cut().edge, n_cells_on_line);
 }
 
 
@@ -144,7 +167,7 @@ CutBody<dim>::make_surgery()
     nodes.back().pairs,
     are_same_nodes(newest_seam->pairs(), nodes.back().pairs)
       ? newest_seam->rows()
-      : make_rows(nodes.back(), cut().edge, the_scene.division));
+      : find_rows(nodes.back()));
   severed.set_mesh(present_mesh,
                    find_pieces(present_mesh, element_labels.piece),
                    the_scene.supports);
@@ -303,11 +326,8 @@ const RowArea &
 CutBody<dim>::area_of_row(const unsigned int row)
 {
   if (areas.empty())
-    areas = row_areas(the_scene.body,
-                      the_scene.material,
-                      begun_cuts.back().surface,
-                      cut().edge,
-                      newest_seam->rows());
+    areas =
+      row_areas(strips(), surface(), the_scene.material, newest_seam->rows());
   return areas[row];
 }
 
@@ -320,13 +340,8 @@ CutBody<dim>::length_of_rows(const unsigned int row, const unsigned int n) const
   const auto &rows = newest_seam->rows();
   if (row + n < rows.size())
     return rows[row + n].depth - rows[row].depth;
-  const auto &edge   = cut().edge;
-  const auto &pairs  = newest_seam->pairs();
-  const double front = edge.travel(pairs[rows[row].front.front()].position);
-  double length      = 0;
-  for (const auto &pair : pairs)
-    length = std::max(length, edge.travel(pair.position) - front);
-  return length;
+  const auto [entry, end] = travels_of_pairs(newest_seam->pairs(), cut().edge);
+  return end - entry - rows[row].depth;
 }
 
 
@@ -340,12 +355,10 @@ CutBody<dim>::advance_of_blade(const unsigned int row) const
   while (next < rows.size() && is_left_out(next))
     ++next;
   const bool is_last = next == rows.size();
-  double force       = 0;
-  for (const auto &load : cut().edge_loads)
-    force += load.force;
   BladeAdvance advance{is_last ? no_blade(*present_model).nodal_forces
                                : blade_on_row(next).nodal_forces,
-                       force * length_of_rows(row, next - row)};
+                       cut().edge_loads.sum() *
+                         length_of_rows(row, next - row)};
   advance.change -= blade_on_row(row).nodal_forces;
   return advance;
 }

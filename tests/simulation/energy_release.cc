@@ -97,9 +97,7 @@ test(const std::vector<SceneEntry> &more)
   const bool is_last        = row + 1 == rows.size();
   const State<dim> released = released_under(
     is_last ? no_blade(body.model()) : body.blade_on_row(row + 1));
-  double force = 0;
-  for (const auto &load : body.cut().edge_loads)
-    force += load.force;
+  const double force = body.cut().edge_loads.sum();
   // Layers of elements are of one depth.
   const double work = force * (is_last ? rows[row].depth - rows[row - 1].depth
                                        : rows[row + 1].depth - rows[row].depth);

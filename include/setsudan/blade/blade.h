@@ -18,6 +18,30 @@ struct EdgeLoad
   double force;
 };
 
+/** The forces on an edge, along the blade's direction. */
+struct EdgeLoads
+{
+  std::vector<EdgeLoad> points;
+  /** A force that is spread evenly over the front. */
+  double uniform = 0;
+
+  bool
+  empty() const
+  {
+    return points.empty() && uniform == 0;
+  }
+
+  /** The whole force. */
+  double
+  sum() const
+  {
+    double force = uniform;
+    for (const auto &load : points)
+      force += load.force;
+    return force;
+  }
+};
+
 /** Subsection `Blade`. */
 template <int dim>
 struct BladeParameters
@@ -34,7 +58,7 @@ struct BladeParameters
   /** Unit vectors of the blade's travel, one for each cut or one for all. */
   std::vector<dealii::Tensor<1, dim>> directions;
   /** The loads on the edge, for each cut or for all. */
-  std::vector<std::vector<EdgeLoad>> edge_loads;
+  std::vector<EdgeLoads> edge_loads;
 
   static void
   declare(dealii::ParameterHandler &handler);

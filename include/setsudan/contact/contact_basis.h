@@ -65,6 +65,7 @@ public:
   {
     unsigned int pair;
     unsigned int row;
+    /** Of the row. */
     double depth;
   };
 

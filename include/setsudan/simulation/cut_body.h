@@ -254,6 +254,14 @@ private:
   std::unique_ptr<ElasticModel<dim>>
   make_surgery();
 
+  /** The rows of the newest cut. */
+  std::vector<Row>
+  find_rows(const SurfaceNodes<dim> &nodes);
+
+  /** The parts of its faces. */
+  std::vector<SurfaceStrip>
+  strips() const;
+
   /** Find the parts that float now, and hold or drop them. */
   void
   update_parts();
@@ -287,6 +295,8 @@ private:
   std::unique_ptr<Seam<dim>> newest_seam;
   unsigned int n_split_rows = 0;
   bool is_finished          = false;
+  /** On the faces of the newest cut, along a line of an element. */
+  unsigned int n_cells_on_line = 1;
   /** The mesh behind the newest cut's surgery, before it is made. */
   CoarseMesh<dim> split_mesh_to_come;
 

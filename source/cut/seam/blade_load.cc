@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace Setsudan
 {
@@ -52,6 +53,23 @@ point_on_front(const std::vector<NodePair<dim>> &pairs,
   const Tensor<1, dim> way = middle(behind) - middle(ahead);
   return middle(ahead) + (inside - ahead) / (behind - ahead) * way;
 }
+
+
+
+/** What each node of a front takes of a force that is spread evenly over it. A
+ * front without a length, in 2D, hands it to all of its nodes alike. */
+std::vector<NodeShare>
+share_uniform_load(const double force, const Row &row)
+{
+  const double whole =
+    std::accumulate(row.lengths.begin(), row.lengths.end(), 0.);
+  std::vector<NodeShare> shares;
+  for (unsigned int i = 0; i < row.lengths.size(); ++i)
+    shares.push_back(
+      {i,
+       force * (whole > 0 ? row.lengths[i] / whole : 1. / row.lengths.size())});
+  return shares;
+}
 } // namespace
 
 
@@ -61,13 +79,24 @@ blade_on_row(const ElasticModel<dim> &model,
              const Seam<dim> &seam,
              const unsigned int row,
              const Tensor<1, dim> &direction,
-             const std::vector<EdgeLoad> &edge_loads)
+             const EdgeLoads &edge_loads)
 {
   const auto &pairs    = seam.pairs();
   const Row &front     = seam.rows()[row];
   BladeLoad<dim> blade = no_blade(model);
   blade.row            = row;
-  for (const auto &share : share_edge_loads(edge_loads, front.positions))
+  auto shares          = share_edge_loads(edge_loads.points, front.positions);
+  for (const auto &load : edge_loads.points)
+    blade.forces.push_back(
+      {point_on_front(pairs, front, load.position), load.force * direction});
+  if (edge_loads.uniform != 0)
+    for (const auto &share : share_uniform_load(edge_loads.uniform, front))
+      {
+        shares.push_back(share);
+        blade.forces.push_back(
+          {pairs[front.front[share.node]].position, share.force * direction});
+      }
+  for (const auto &share : shares)
     for (unsigned int c = 0; c < dim; ++c)
       {
         // Half on each side, which is one node as long as the front is tied.
@@ -77,9 +106,6 @@ blade_on_row(const ElasticModel<dim> &model,
             blade.nodal_forces(index) += share.force / 2 * direction[c];
       }
   blade.nodal_forces.compress(VectorOperation::add);
-  for (const auto &load : edge_loads)
-    blade.forces.push_back(
-      {point_on_front(pairs, front, load.position), load.force * direction});
   return blade;
 }
 
@@ -92,7 +118,7 @@ blade_on_row(const ElasticModel<2> &,
              const Seam<2> &,
              const unsigned int,
              const Tensor<1, 2> &,
-             const std::vector<EdgeLoad> &);
+             const EdgeLoads &);
 template BladeLoad<3>
 no_blade(const ElasticModel<3> &);
 template BladeLoad<3>
@@ -100,5 +126,5 @@ blade_on_row(const ElasticModel<3> &,
              const Seam<3> &,
              const unsigned int,
              const Tensor<1, 3> &,
-             const std::vector<EdgeLoad> &);
+             const EdgeLoads &);
 } // namespace Setsudan

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/quadrature_lib.h>
+
 #include <setsudan/cut/seam/fronts.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -12,13 +15,6 @@ using namespace dealii;
 
 namespace
 {
-/** A part of a front: nodes that follow each other along the edge. */
-struct Chain
-{
-  std::vector<unsigned int> nodes;
-  bool closed;
-};
-
 /** Which node of a layer follows which, along the faces of the cut. */
 template <int dim>
 std::map<unsigned int, unsigned int>
@@ -34,10 +30,10 @@ link_nodes(const SurfaceNodes<dim> &nodes,
       {
         std::vector<std::pair<double, unsigned int>> along;
         Tensor<1, dim> normal;
-        for (const unsigned int p : nodes.faces[f])
+        for (const unsigned int p : nodes.faces[f].pairs)
           normal += nodes.pairs[p].normal;
         const auto tangent = cross_product_3d(normal, edge.direction);
-        for (const unsigned int p : nodes.faces[f])
+        for (const unsigned int p : nodes.faces[f].pairs)
           if (layer_of_node[p] == layer)
             along.emplace_back(
               tangent * Tensor<1, dim>(nodes.pairs[p].position), p);
@@ -100,20 +96,93 @@ is_monotone(const SurfaceNodes<dim> &nodes,
 
 
 
+/** Add the integrals of the shape functions along a line of two nodes, or of
+ * three with one in its middle. */
+template <int dim>
+void
+add_lengths(const std::array<Point<dim>, 3> &nodes,
+            const bool is_quadratic,
+            std::array<double, 3> &lengths)
+{
+  const QGauss<1> gauss(4);
+  for (unsigned int q = 0; q < gauss.size(); ++q)
+    {
+      const double x = gauss.point(q)[0];
+      std::array<double, 3> values{{1 - x, 0, x}}, slopes{{-1, 0, 1}};
+      if (is_quadratic)
+        {
+          values = {{(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)}};
+          slopes = {{4 * x - 3, 4 - 8 * x, 4 * x - 1}};
+        }
+      Tensor<1, dim> tangent;
+      for (unsigned int i = 0; i < 3; ++i)
+        tangent += slopes[i] * Tensor<1, dim>(nodes[i]);
+      for (unsigned int i = 0; i < 3; ++i)
+        lengths[i] += gauss.weight(q) * tangent.norm() * values[i];
+    }
+}
+
+
+
+/** The integrals of the shape functions of a chain's nodes along it: of lines
+ * of elements, or straight from node to node where these are in the middle of
+ * lines. */
+template <int dim>
+std::vector<double>
+lengths_of_chain(const SurfaceNodes<dim> &nodes, const Chain &chain)
+{
+  const unsigned int n = chain.nodes.size();
+  const auto pair      = [&](const unsigned int i) -> const auto &
+  {
+    return nodes.pairs[chain.nodes[i % n]];
+  };
+  // A ring may begin anywhere, but lines end at corners.
+  unsigned int begin = 0;
+  while (chain.closed && begin + 1 < n && !pair(begin).is_corner)
+    ++begin;
+  const unsigned int end = begin + (chain.closed ? n : n - 1);
+  std::vector<double> result(n);
+  for (unsigned int i = begin; i < end;)
+    {
+      const bool is_quadratic = i + 2 <= end && pair(i).is_corner &&
+                                !pair(i + 1).is_corner && pair(i + 2).is_corner;
+      const unsigned int next = i + (is_quadratic ? 2 : 1);
+      std::array<double, 3> lengths{};
+      add_lengths<dim>(
+        {{pair(i).position, pair(i + 1).position, pair(next).position}},
+        is_quadratic,
+        lengths);
+      result[i % n] += lengths[0];
+      result[(i + 1) % n] += lengths[1];
+      result[next % n] += lengths[2];
+      i = next;
+    }
+  return result;
+}
+
+
+
 template <int dim>
 void
 order_by_coordinate(const SurfaceNodes<dim> &nodes,
                     const BladeEdge<dim> &edge,
+                    const std::vector<Chain> &chains,
                     Row &row)
 {
-  std::vector<std::pair<double, unsigned int>> along;
-  for (const unsigned int p : row.pairs)
-    along.emplace_back(edge.position(nodes.pairs[p].position), p);
-  std::sort(along.begin(), along.end());
-  for (const auto &[position, p] : along)
+  // Chains may meet in a node.
+  std::map<std::pair<double, unsigned int>, double> along;
+  for (const auto &chain : chains)
     {
-      row.front.push_back(p);
-      row.positions.push_back(position);
+      const auto lengths = lengths_of_chain(nodes, chain);
+      for (unsigned int i = 0; i < lengths.size(); ++i)
+        along[{edge.position(nodes.pairs[chain.nodes[i]].position),
+               chain.nodes[i]}] += lengths[i];
+    }
+  for (const auto &[place, length] : along)
+    {
+      row.positions.push_back(place.first);
+      row.front.push_back(place.second);
+      row.lengths.push_back(length);
     }
 }
 
@@ -166,14 +235,11 @@ order_by_length(const SurfaceNodes<dim> &nodes,
   const Beginning<dim> is_nearer(nodes, edge);
   for (auto &chain : chains)
     if (chain.closed)
-      {
-        // Any node can be the first of a ring.
-        std::rotate(
-          chain.nodes.begin(),
-          std::min_element(chain.nodes.begin(), chain.nodes.end(), is_nearer),
-          chain.nodes.end());
-        chain.nodes.push_back(chain.nodes.front());
-      }
+      // Any node can be the first of a ring.
+      std::rotate(
+        chain.nodes.begin(),
+        std::min_element(chain.nodes.begin(), chain.nodes.end(), is_nearer),
+        chain.nodes.end());
     else if (is_nearer(chain.nodes.back(), chain.nodes.front()))
       std::reverse(chain.nodes.begin(), chain.nodes.end());
   std::stable_sort(
@@ -183,16 +249,42 @@ order_by_length(const SurfaceNodes<dim> &nodes,
 
   double length = 0;
   for (const auto &chain : chains)
-    for (const unsigned int p : chain.nodes)
-      {
-        if (!row.front.empty())
-          length += nodes.pairs[row.front.back()].position.distance(
-            nodes.pairs[p].position);
-        row.front.push_back(p);
-        row.positions.push_back(length);
-      }
+    {
+      auto lengths = lengths_of_chain(nodes, chain);
+      auto along   = chain.nodes;
+      if (chain.closed)
+        {
+          along.push_back(along.front());
+          lengths.push_back(0);
+        }
+      for (unsigned int i = 0; i < along.size(); ++i)
+        {
+          if (!row.front.empty())
+            length += nodes.pairs[row.front.back()].position.distance(
+              nodes.pairs[along[i]].position);
+          row.front.push_back(along[i]);
+          row.positions.push_back(length);
+          row.lengths.push_back(lengths[i]);
+        }
+    }
 }
 } // namespace
+
+
+template <int dim>
+void
+set_front(const SurfaceNodes<dim> &nodes,
+          const BladeEdge<dim> &edge,
+          const std::vector<Chain> &chains,
+          const bool axis_follows,
+          Row &row)
+{
+  if (axis_follows)
+    order_by_coordinate(nodes, edge, chains, row);
+  else
+    order_by_length(nodes, edge, chains, row);
+}
+
 
 
 template <int dim>
@@ -207,7 +299,7 @@ order_fronts(const SurfaceNodes<dim> &nodes,
       layer_of_node[p] = l;
   std::vector<std::set<unsigned int>> faces(rows.size());
   for (unsigned int f = 0; f < nodes.faces.size(); ++f)
-    for (const unsigned int p : nodes.faces[f])
+    for (const unsigned int p : nodes.faces[f].pairs)
       faces[layer_of_node[p]].insert(f);
 
   std::vector<std::vector<Chain>> chains;
@@ -226,14 +318,23 @@ order_fronts(const SurfaceNodes<dim> &nodes,
         axis_follows = axis_follows && is_monotone(nodes, edge, chain);
     }
   for (unsigned int l = 0; l < rows.size(); ++l)
-    if (axis_follows)
-      order_by_coordinate(nodes, edge, rows[l]);
-    else
-      order_by_length(nodes, edge, chains[l], rows[l]);
+    set_front(nodes, edge, chains[l], axis_follows, rows[l]);
 }
 
 
 
+template void
+set_front(const SurfaceNodes<2> &,
+          const BladeEdge<2> &,
+          const std::vector<Chain> &,
+          const bool,
+          Row &);
+template void
+set_front(const SurfaceNodes<3> &,
+          const BladeEdge<3> &,
+          const std::vector<Chain> &,
+          const bool,
+          Row &);
 template void
 order_fronts(const SurfaceNodes<2> &, const BladeEdge<2> &, std::vector<Row> &);
 template void

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 
 namespace Setsudan
@@ -92,6 +93,35 @@ record_own_sides(const ElasticModel<dim> &model, const CutSurface<dim> &surface)
 
 
 
+/** A face of a cell that stands on an axis of the cell, from the places of its
+ * nodes in the cell. */
+template <int dim>
+SurfaceFace
+face_of_nodes(const std::vector<std::pair<Point<dim>, unsigned int>> &nodes,
+              const unsigned int axis)
+{
+  SurfaceFace face;
+  for (const auto &[point, pair] : nodes)
+    face.pairs.push_back(pair);
+  for (unsigned int d = 0; d < dim; ++d)
+    for (const double end : {0., 1.})
+      {
+        if (d == axis)
+          continue;
+        // There is one axis along the line in 3D, and none in 2D.
+        std::map<double, unsigned int> line;
+        for (const auto &[point, pair] : nodes)
+          if (point[d] == end)
+            line[dim == 3 ? point[3 - d - axis] : 0.] = pair;
+        face.lines.emplace_back();
+        for (const auto &[place, pair] : line)
+          face.lines.back().push_back(pair);
+      }
+  return face;
+}
+
+
+
 /** Puts pairs together from the records of their two sides. */
 template <int dim>
 class PairBuilder
@@ -116,6 +146,7 @@ public:
     const CellFace &side     = is_minus ? face.minus : face.plus;
     const CellPath path{side.first, record[2]};
     const unsigned int node = record[3];
+    deepest                 = std::max(deepest, path.path);
     const auto point        = point_in_element<dim>(path, nodes[node]);
     Point<dim> center;
     for (unsigned int d = 0; d < dim; ++d)
@@ -136,6 +167,7 @@ public:
                                : point_of_element(corners, point);
         pair.normal        = normal_of_face(corners, side.second, point);
         pair.element       = side.first;
+        entry.unit_point   = nodes[node];
       }
     else
       pair.plus_element = side.first;
@@ -180,10 +212,14 @@ public:
       }
     for (const auto &[face, of_face] : entries)
       {
-        result.faces.emplace_back();
+        std::vector<std::pair<Point<dim>, unsigned int>> at;
         for (const auto &[name, entry] : of_face)
-          result.faces.back().push_back(number.at(key_of(entry.pair)));
+          at.emplace_back(entry.unit_point, number.at(key_of(entry.pair)));
+        result.faces.push_back(
+          face_of_nodes<dim>(at, surface[face.first].minus.second / 2));
       }
+    for (auto path = deepest; path > 1; path >>= dim)
+      result.n_cells_on_line *= 2;
     return result;
   }
 
@@ -198,11 +234,14 @@ private:
   {
     NodePair<dim> pair{};
     std::array<PointName, 2> name_in_split;
+    /** In the cell of the minus side. */
+    Point<dim> unit_point;
   };
 
   /** By face of a cell, named by its center, and by node. */
   std::map<std::pair<std::uint64_t, PointName>, std::map<PointName, Entry>>
     entries;
+  std::uint64_t deepest = 1;
 };
 } // namespace
 
@@ -234,8 +273,29 @@ collect_surface_nodes(const ElasticModel<dim> &model,
 
 
 
+template <int dim>
+std::array<double, 2>
+travels_of_pairs(const std::vector<NodePair<dim>> &pairs,
+                 const BladeEdge<dim> &edge)
+{
+  std::array<double, 2> ends{{std::numeric_limits<double>::max(),
+                              std::numeric_limits<double>::lowest()}};
+  for (const auto &pair : pairs)
+    {
+      const double travel = edge.travel(pair.position);
+      ends = {{std::min(ends[0], travel), std::max(ends[1], travel)}};
+    }
+  return ends;
+}
+
+
+
 template struct NodePair<2>;
 template struct NodePair<3>;
+template std::array<double, 2>
+travels_of_pairs(const std::vector<NodePair<2>> &, const BladeEdge<2> &);
+template std::array<double, 2>
+travels_of_pairs(const std::vector<NodePair<3>> &, const BladeEdge<3> &);
 template std::vector<SurfaceNodes<2>>
 collect_surface_nodes(const ElasticModel<2> &,
                       const std::vector<CutSurface<2>> &,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/cut/seam/bands.h>
 #include <setsudan/cut/seam/rows.h>
-
-#include <setsudan/cut/seam/fronts.h>
 
 #include <algorithm>
 #include <limits>
@@ -19,9 +18,11 @@ DivisionParameters::declare(ParameterHandler &handler)
                     "Division",
                     "Release",
                     "node row",
-                    Patterns::Selection("node row|element row"),
-                    "What is split at once: a layer of nodes, or a layer of "
-                    "corner nodes with the mid-side nodes behind it.");
+                    Patterns::Selection("node row|element row|face band"),
+                    "What is split at once: a layer of nodes, a layer of "
+                    "corner nodes with the mid-side nodes behind it, or, where "
+                    "the elements lie in no straight layers, a band of element "
+                    "faces whose centres a straight edge passes.");
   Setsudan::declare(handler,
                     "Division",
                     "Split rows",
@@ -64,10 +65,21 @@ DivisionParameters::declare(ParameterHandler &handler)
 
 
 
+namespace
+{
+DivisionParameters::Release
+read_release(const Parameters &parameters)
+{
+  const auto text = parameters.text("Division", "Release");
+  return text == "node row"      ? DivisionParameters::Release::node_row
+         : text == "element row" ? DivisionParameters::Release::element_row
+                                 : DivisionParameters::Release::face_band;
+}
+} // namespace
+
+
 DivisionParameters::DivisionParameters(const Parameters &parameters)
-  : release(parameters.text("Division", "Release") == "node row"
-              ? Release::node_row
-              : Release::element_row)
+  : release(read_release(parameters))
   , opens(parameters.text("Division", "Split rows") == "opened")
   , row_tolerance(parameters.number("Division", "Row tolerance"))
   , load_control(parameters.text("Division", "Load control") == "constant"
@@ -117,9 +129,11 @@ make_layers(const SurfaceNodes<dim> &nodes,
       layers.push_back({std::vector<unsigned int>(begin, end),
                         {},
                         {},
+                        {},
                         first - travel[order.front()]});
       begin = end;
     }
+  order_fronts(nodes, edge, layers);
   return layers;
 }
 
@@ -133,18 +147,20 @@ shortest_line(const SurfaceNodes<dim> &nodes)
 {
   double shortest = std::numeric_limits<double>::max();
   for (const auto &face : nodes.faces)
-    for (unsigned int i = 0; i < face.size(); ++i)
+    for (unsigned int i = 0; i < face.pairs.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
-        if (nodes.pairs[face[i]].is_corner && nodes.pairs[face[j]].is_corner)
-          shortest = std::min(shortest,
-                              nodes.pairs[face[i]].position.distance(
-                                nodes.pairs[face[j]].position));
+        {
+          const auto &a = nodes.pairs[face.pairs[i]];
+          const auto &b = nodes.pairs[face.pairs[j]];
+          if (a.is_corner && b.is_corner)
+            shortest = std::min(shortest, a.position.distance(b.position));
+        }
   return shortest;
 }
 
 
 
-/** Whether a layer waits for the blade, or goes with another one. */
+/** Whether a layer or band waits for the blade, or goes with another one. */
 template <int dim>
 bool
 is_row(const SurfaceNodes<dim> &nodes,
@@ -152,14 +168,14 @@ is_row(const SurfaceNodes<dim> &nodes,
        const DivisionParameters::Release release)
 {
   bool divided = false, held = true, has_corners = false;
-  for (const unsigned int p : layer.pairs)
+  for (const unsigned int p : layer.front)
     {
       divided     = divided || nodes.pairs[p].is_divided;
       held        = held && nodes.pairs[p].supported.all();
       has_corners = has_corners || nodes.pairs[p].is_corner;
     }
   return divided && !held &&
-         (release == DivisionParameters::Release::node_row || has_corners);
+         (release != DivisionParameters::Release::element_row || has_corners);
 }
 } // namespace
 
@@ -168,11 +184,13 @@ template <int dim>
 std::vector<Row>
 make_rows(const SurfaceNodes<dim> &nodes,
           const BladeEdge<dim> &edge,
-          const DivisionParameters &division)
+          const DivisionParameters &division,
+          const std::vector<SurfaceStrip> &strips)
 {
-  auto layers =
-    make_layers(nodes, edge, division.row_tolerance * shortest_line(nodes));
-  order_fronts(nodes, edge, layers);
+  const double tolerance = division.row_tolerance * shortest_line(nodes);
+  const auto layers = division.release == DivisionParameters::Release::face_band
+                        ? make_bands(nodes, edge, strips, tolerance)
+                        : make_layers(nodes, edge, tolerance);
 
   std::vector<Row> rows;
   std::vector<unsigned int> ahead;
@@ -197,9 +215,11 @@ make_rows(const SurfaceNodes<dim> &nodes,
 template std::vector<Row>
 make_rows(const SurfaceNodes<2> &,
           const BladeEdge<2> &,
-          const DivisionParameters &);
+          const DivisionParameters &,
+          const std::vector<SurfaceStrip> &);
 template std::vector<Row>
 make_rows(const SurfaceNodes<3> &,
           const BladeEdge<3> &,
-          const DivisionParameters &);
+          const DivisionParameters &,
+          const std::vector<SurfaceStrip> &);
 } // namespace Setsudan

@@ -125,11 +125,13 @@ Seam<dim>::leave_out(const std::vector<unsigned int> &pieces,
       Row joined = row;
       joined.front.clear();
       joined.positions.clear();
+      joined.lengths.clear();
       for (unsigned int i = 0; i < row.front.size(); ++i)
         if (!is_left_out[row.front[i]])
           {
             joined.front.push_back(row.front[i]);
             joined.positions.push_back(row.positions[i]);
+            joined.lengths.push_back(row.lengths[i]);
           }
       row = std::move(joined);
     }

@@ -122,7 +122,7 @@ check_blade(const Parameters &parameters,
     return;
   const auto ends =
     std::minmax_element(nodes.begin(), nodes.end(), by(&CutNode::position));
-  for (const auto &load : cut.edge_loads)
+  for (const auto &load : cut.edge_loads.points)
     parameters.require(load.position >= ends.first->position - tolerance &&
                          load.position <= ends.second->position + tolerance,
                        "Blade",

@@ -121,7 +121,6 @@ place_of_blade(const CutBody<dim> &body, const double travel)
 {
   const auto &edge  = body.cut().edge;
   const auto &pairs = body.seam().pairs();
-  const Row &first  = body.seam().rows().front();
   BladePlace<dim> place;
   place.direction = edge.direction;
   for (const auto &pair : pairs)
@@ -130,8 +129,10 @@ place_of_blade(const CutBody<dim> &body, const double travel)
   Tensor<1, dim> along;
   if constexpr (dim == 3)
     along = cross_product_3d(place.normal, place.direction);
-  const Point<dim> entry = pairs[first.front.front()].position;
-  const double depth     = travel - first.depth;
+  const Point<dim> entry =
+    pairs[body.seam().rows().front().front.front()].position;
+  const double depth =
+    travel - (edge.travel(entry) - travels_of_pairs(pairs, edge)[0]);
   std::array<double, 2> ends{{0., 0.}};
   for (const auto &pair : pairs)
     {

@@ -16,6 +16,8 @@ struct BladeLoad
 {
   /** Without ghosts. */
   LA::Vector nodal_forces;
+  /** A uniform load is in equilibrium with its nodes' forces, which stand here.
+   */
   std::vector<PointForce<dim>> forces;
   /** The row on which it stands; nothing where there is no blade. */
   std::optional<unsigned int> row;
@@ -37,12 +39,13 @@ no_blade(const ElasticModel<dim> &model);
 
 /** The blade on the front of a row of a seam.
  *
- * @param edge_loads along the edge, see share_edge_loads(). */
+ * @param edge_loads along the edge, see share_edge_loads(); what is uniform is
+ * a load on the lines of the front, with their shape functions. */
 template <int dim>
 BladeLoad<dim>
 blade_on_row(const ElasticModel<dim> &model,
              const Seam<dim> &seam,
              const unsigned int row,
              const dealii::Tensor<1, dim> &direction,
-             const std::vector<EdgeLoad> &edge_loads);
+             const EdgeLoads &edge_loads);
 } // namespace Setsudan

@@ -3,10 +3,12 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <setsudan/blade/blade_edge.h>
 #include <setsudan/cut/surface/cut_surface.h>
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/mesh/point_name.h>
 
+#include <array>
 #include <bitset>
 #include <vector>
 
@@ -44,14 +46,31 @@ struct NodePair
   is_double() const;
 };
 
+/** Where the blade's travel comes to the nodes of a cut, and where it has
+ * passed them all. */
+template <int dim>
+std::array<double, 2>
+travels_of_pairs(const std::vector<NodePair<dim>> &pairs,
+                 const BladeEdge<dim> &edge);
+
+/** A face of a (refined) cell on a cut, by its node pairs. */
+struct SurfaceFace
+{
+  std::vector<unsigned int> pairs;
+  /** Those on each of its lines, from end to end; in 2D its two vertices. */
+  std::vector<std::vector<unsigned int>> lines;
+};
+
 /** The nodes of a cut. */
 template <int dim>
 struct SurfaceNodes
 {
   /** In the order of their names. */
   std::vector<NodePair<dim>> pairs;
-  /** The pairs of each face of a (refined) cell on the cut. */
-  std::vector<std::vector<unsigned int>> faces;
+  std::vector<SurfaceFace> faces;
+  /** How many cells there are along a line of an element: all that touch a cut
+   * are refined to the same level. */
+  unsigned int n_cells_on_line = 1;
 };
 
 /**

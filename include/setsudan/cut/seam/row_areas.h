@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/blade/blade_edge.h>
 #include <setsudan/cut/seam/rows.h>
-#include <setsudan/cut/surface/cut_surface.h>
+#include <setsudan/cut/seam/surface_strips.h>
 #include <setsudan/material/material_parameters.h>
 
 #include <vector>
@@ -20,17 +19,14 @@ struct RowArea
   double energy = 0;
 };
 
-/**
- * The area that each row of a cut opens: the strip of the surface from the
- * row's front to that of the next row, the last one to the end. Exact where the
- * faces are flat parallelograms along the blade's direction; elsewhere the area
- * is taken as evenly spread over the travel along a quarter of a face.
- */
+/** The area that each row of a cut opens: the strip of the surface from the
+ * row's front to that of the next row, the last one to the end.
+ *
+ * @param strips of the surface. */
 template <int dim>
 std::vector<RowArea>
-row_areas(const Body<dim> &body,
-          const MaterialParameters<dim> &materials,
+row_areas(const std::vector<SurfaceStrip> &strips,
           const CutSurface<dim> &surface,
-          const BladeEdge<dim> &edge,
+          const MaterialParameters<dim> &materials,
           const std::vector<Row> &rows);
 } // namespace Setsudan

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <setsudan/cut/seam/fronts.h>
+#include <setsudan/cut/seam/surface_strips.h>
 
 #include <vector>
 
@@ -13,7 +14,8 @@ struct DivisionParameters
   enum class Release
   {
     node_row,
-    element_row
+    element_row,
+    face_band
   };
   enum class LoadControl
   {
@@ -44,6 +46,7 @@ struct DivisionParameters
  * `tolerance` of the shortest line on the cut, are a layer. Layers are rows of
  * their own, or with `element_row` layers of corner nodes take the mid-side
  * layers behind with them, so that the front always rests on corner nodes.
+ * With `face_band` bands of faces take the place of layers (make_bands()).
  *
  * A layer of which the cut divides nothing (the tip of a slit), or whose nodes
  * are all supported (on the board), needs no division: it goes together with
@@ -52,10 +55,13 @@ struct DivisionParameters
  * Positions along the edge are coordinates of the axis nearest to it. Where no
  * such axis follows the fronts, because they are closed or run back, positions
  * are lengths along the front, from its end with the smallest coordinate.
+ *
+ * @param strips of the cut's faces; only `face_band` has a use for them.
  */
 template <int dim>
 std::vector<Row>
 make_rows(const SurfaceNodes<dim> &nodes,
           const BladeEdge<dim> &edge,
-          const DivisionParameters &division);
+          const DivisionParameters &division,
+          const std::vector<SurfaceStrip> &strips);
 } // namespace Setsudan

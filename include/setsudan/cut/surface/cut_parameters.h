@@ -19,7 +19,7 @@ struct Cut
   std::string text;
   ChosenSurface<dim> surface;
   BladeEdge<dim> edge;
-  std::vector<EdgeLoad> edge_loads;
+  EdgeLoads edge_loads;
 };
 
 /** Subsection `Cut`: where the body is cut, one cut after the other. */
