@@ -285,6 +285,10 @@ WRONG_TRAVEL = [
     ("Blade/Thickness", "50", "less than the size of the body"),
     ("Blade/Shoulder radius", "-1", "from 0 to"),
     ("Blade/Shoulder radius", "1e3", "no length left"),
+    *[("Blade/Profile", profile, "that begin with 0 : 0", {"Blade/Shape": "profile"})
+      for profile in ("", "0:0", "0:0, 0:1", "0:0, 2:1, 1:1", "0:0, 1:-1",
+                      "0:0, 1:1, 2:0.5", "0:1, 2:1", "1:0, 2:1", "0:0, 1:0, 2:1",
+                      "0:0, 1", "0:0, 1:x", "0:0, 1:nan", "0:0, 1:1:1")],
     ("Blade/Shape", "axe", PATTERN),
     ("Blade/Edge loads", "0:1", "nothing, since the force is the reaction"),
     ("Yield/Criterion", "maximum shear", "energy release where Blade/Drive"),

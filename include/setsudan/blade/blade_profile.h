@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace Setsudan
@@ -35,6 +36,15 @@ struct BladeProfile
   wedge(const double angle,
         const double thickness,
         const double shoulder_radius);
+
+  /**
+   * A polygon that ends in a shank.
+   *
+   * @param points distances behind the edge and half thicknesses: at least two,
+   *   of ascending distances, the first one the edge.
+   */
+  static BladeProfile
+  polygon(const std::vector<std::pair<double, double>> &points);
 
   double
   half_thickness(const double s) const;
