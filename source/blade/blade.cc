@@ -39,10 +39,11 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     "Blade",
                     "Shape",
                     "line",
-                    Patterns::Selection("line|wedge|profile"),
+                    Patterns::Selection("line|wedge|wire|profile"),
                     "line: the blade has no body; wedge: two flanks and a "
-                    "shank of Thickness; profile: as Profile has it. The "
-                    "latter two with Drive = travel.");
+                    "shank of Thickness; wire: a circle, Thickness its "
+                    "diameter; profile: as Profile has it. All but line with "
+                    "Drive = travel.");
   Setsudan::declare(handler,
                     "Blade",
                     "Wedge angle",
@@ -295,7 +296,8 @@ BladeParameters<dim>::read_shape(const Parameters &parameters)
     }
   parameters.require(
     thickness > 0, "Blade", "Thickness", "more than 0, for a " + shape);
-  profile = read_wedge(parameters, thickness);
+  profile = shape == "wire" ? BladeProfile::wire(thickness)
+                            : read_wedge(parameters, thickness);
 }
 
 

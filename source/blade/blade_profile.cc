@@ -13,6 +13,8 @@ namespace
 // A blade loses energy at every edge of its shoulder, all in all in inverse
 // proportion to their number.
 constexpr unsigned int n_shoulder_facets = 64;
+// Within 0.2 % of the circle. What presses across loses nothing at an edge.
+constexpr unsigned int n_wire_facets = 48;
 } // namespace
 
 
@@ -57,6 +59,27 @@ BladeProfile::polygon(const std::vector<std::pair<double, double>> &points)
 
 
 
+BladeProfile
+BladeProfile::wire(const double diameter)
+{
+  const double radius = diameter / 2;
+  std::vector<std::pair<double, double>> points;
+  for (unsigned int k = 0; k <= n_wire_facets; ++k)
+    {
+      const double turned = k * dealii::numbers::PI / n_wire_facets;
+      points.emplace_back(radius * (1 - std::cos(turned)),
+                          radius * std::sin(turned));
+    }
+  BladeProfile profile = polygon(points);
+  // There is no shank behind the last facet.
+  profile.facets.pop_back();
+  profile.length         = diameter;
+  profile.presses_across = true;
+  return profile;
+}
+
+
+
 unsigned int
 BladeProfile::facet_at(const double s) const
 {
@@ -76,5 +99,25 @@ BladeProfile::half_thickness(const double s) const
     return 0;
   const Facet &facet = facets[facet_at(s)];
   return facet.half_thickness + facet.slope * (s - facet.begin);
+}
+
+
+
+double
+BladeProfile::thickness() const
+{
+  double largest = 0;
+  for (const auto &facet : facets)
+    largest = std::max(largest, 2 * facet.half_thickness);
+  return largest;
+}
+
+
+
+bool
+BladeProfile::is_tip(const unsigned int k) const
+{
+  return (k == 0 && facets[k].slope > 0) ||
+         (k + 1 == facets.size() && facets[k].slope < 0);
 }
 } // namespace Setsudan

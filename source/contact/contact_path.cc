@@ -78,41 +78,53 @@ ContactPath<dim>::make_conditions()
       const auto vector = [&](const Wall wall, const Component component) {
         return place_of[basis.vector_of_hat(h, wall, component)];
       };
-      bool is_ahead = true;
+      bool may_meet = true;
       for (const Wall wall : {Wall::minus, Wall::plus})
         if (!profile.facets.empty())
           {
             const auto &[begin, half_thickness, slope] =
               profile.facets[facet(h, wall)];
-            is_ahead = is_ahead && facet(h, wall) == 0 && slope > 0;
+            may_meet = may_meet && profile.is_tip(facet(h, wall));
             const unsigned int outward = vector(wall, Component::outward);
             const unsigned int along   = vector(wall, Component::along);
             const unsigned int aside =
               sliding.rubs_aside() ? vector(wall, Component::aside) : along;
-            const double length = std::sqrt(1 + slope * slope);
+            const double tilt   = profile.presses_across ? 0. : slope;
+            const double length = std::sqrt(1 + tilt * tilt);
             const double rubbed = mu * sliding.slice * length;
             conditions.push_back(
               {Kind::flank,
                h,
                wall,
-               {{{outward, 1.}, {along, slope}, {along, 0.}}},
-               {{{outward, 1 - mu * slope},
-                 {along, slope + mu},
+               {{{outward, 1.}, {along, tilt}, {along, 0.}}},
+               {{{outward, 1 - mu * tilt},
+                 {along, tilt + mu},
                  {aside, rubbed}}},
                hat.area * (half_thickness - slope * (begin + hat.depth)),
                hat.area * slope,
                hat.area * (slope + mu),
+               hat.area * (slope - tilt),
                hat.area * mu,
                hat.area * rubbed,
                {{hat.area * mu * length * length, hat.area * rubbed}}});
           }
-      // Further behind the edge the flanks keep the walls apart.
+      // Elsewhere the flanks keep the walls apart.
       const unsigned int minus = vector(Wall::minus, Component::outward);
       const unsigned int plus  = vector(Wall::plus, Component::outward);
       const VectorSum both     = {{{minus, 1.}, {plus, 1.}, {plus, 0.}}};
-      if (is_ahead)
-        conditions.push_back(
-          {Kind::walls, h, Wall::minus, both, both, 0., 0., 0., 0., 0., {}});
+      if (may_meet)
+        conditions.push_back({Kind::walls,
+                              h,
+                              Wall::minus,
+                              both,
+                              both,
+                              0.,
+                              0.,
+                              0.,
+                              0.,
+                              0.,
+                              0.,
+                              {}});
     }
   for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
     {
@@ -133,6 +145,7 @@ ContactPath<dim>::make_conditions()
                               -node.depth * way,
                               way,
                               1.,
+                              0.,
                               0.,
                               drag,
                               {}});
@@ -203,6 +216,8 @@ std::array<double, 2>
 ContactPath<dim>::distance_behind_edge(const unsigned int h,
                                        const Wall wall) const
 {
+  if (profile.presses_across)
+    return {{-basis.hats()[h].depth, 1.}};
   const auto along = moved(h, wall, ContactBasis<dim>::Component::along);
   return {{-basis.hats()[h].depth - along[0], 1 - along[1]}};
 }
@@ -258,7 +273,8 @@ ContactPath<dim>::settle(const double travel)
       remake_conditions();
     }
   throw SolverError("The walls of the cut do not come to rest on the blade's "
-                    "shoulder. Set Blade/Shoulder radius larger.");
+                    "shoulder. Set Blade/Shoulder radius larger, or Blade/"
+                    "Profile with more points.");
 }
 
 

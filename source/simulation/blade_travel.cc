@@ -49,6 +49,9 @@ move_to(const double travel,
   };
   motion.work +=
     (force_at(motion.travel) + force_at(travel)) / 2 * (travel - motion.travel);
+  const Quadratic unfelt = path.unfelt_force();
+  motion.unfelt_work +=
+    (unfelt(motion.travel) + unfelt(travel)) / 2 * (travel - motion.travel);
   motion.friction_energy += path.friction_work(motion.travel, travel);
   if (speed > 0)
     motion.time += (travel - motion.travel) / speed;

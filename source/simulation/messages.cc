@@ -171,6 +171,21 @@ describe_arrest(const Scene<dim> &scene,
 
 
 
+std::optional<std::string>
+describe_unfelt_work(const BladeMotion &motion)
+{
+  if (motion.unfelt_work == 0)
+    return {};
+  std::ostringstream line;
+  line.precision(3);
+  line << "The blade presses on the walls across the cut only: "
+       << 100 * motion.unfelt_work / motion.work
+       << " % of its work is against forces that the supports do not feel.";
+  return line.str();
+}
+
+
+
 template <int dim>
 std::vector<std::string>
 describe_loose_pieces(const CutBody<dim> &body,

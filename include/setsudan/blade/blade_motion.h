@@ -25,7 +25,10 @@ struct BladeMotion
   /** Since the run began: the blade's work; what new surface and what friction
    * takes; and what is set free besides, as a row splits that could have done
    * so before, or as a wall springs back from the blade's shoulder. */
-  double work            = 0;
+  double work = 0;
+  /** The part of the work that the body does not feel as a force along the
+   * direction. */
+  double unfelt_work     = 0;
   double surface_energy  = 0;
   double friction_energy = 0;
   double excess_energy   = 0;
@@ -41,7 +44,7 @@ struct BladeMotion
   {
     archive &travel &time &last_split &edge_force &flank_force;
     archive &friction_force &force_along;
-    archive &contact_area &work &surface_energy &friction_energy;
+    archive &contact_area &work &unfelt_work &surface_energy &friction_energy;
     archive &excess_energy &energy_at_rest &n_rows_to_split;
   }
 };

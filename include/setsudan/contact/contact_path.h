@@ -32,6 +32,10 @@ namespace Setsudan
  * the cut, both weighted with the hat, A the hat's integral and z its depth,
  * and the facet begins s behind the edge with half thickness h and slope t.
  *
+ * A blade that presses across the cut only has d.u left out of the flanks'
+ * conditions, and their pressure exerts (1, mu). Its force is the same, t + mu:
+ * what it does against the slope t the body does not feel.
+ *
  * While the blade is pushed its flanks slip, and friction acts in a known
  * direction: a pressure exerts (1 - mu t) out of the cut and t + mu along the
  * direction, so that the problem is not symmetric. A blade that slices moves xi
@@ -92,14 +96,17 @@ public:
   Quadratic
   energy() const;
 
-  /** A force on the body along the blade's direction, over the travel: of the
-   * edge, of the flanks, and the part of the latter that is friction. */
+  /** The blade's force along its direction, over the travel: of the edge, of
+   * the flanks, and the parts of the latter that are friction, and that the
+   * body does not feel. */
   Quadratic
   edge_force() const;
   Quadratic
   flank_force() const;
   Quadratic
   friction_force() const;
+  Quadratic
+  unfelt_force() const;
 
   /** The force of the blade on the body along its edge. */
   Quadratic
@@ -146,9 +153,11 @@ private:
     VectorSum exerted;
     double constant;
     double per_travel;
-    /** What a multiplier of 1 exerts along the blade's direction, the part of
-     * it that is friction, and what it exerts aside. */
+    /** What a multiplier of 1 asks of the blade along its direction, the part
+     * of it that the body does not feel and that which is friction, and what it
+     * exerts aside. */
     double force;
+    double unfelt;
     double friction;
     double aside;
     /** The energy that it takes over a slip of 1 along and aside. */
