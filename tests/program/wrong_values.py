@@ -282,7 +282,7 @@ WRONG_TRAVEL = [
     ("Blade/Wedge angle", "0", "more than 0 and less than 180"),
     ("Blade/Wedge angle", "180", "more than 0 and less than 180"),
     ("Blade/Thickness", "0", "more than 0, for a wedge"),
-    ("Blade/Thickness", "50", "less than the size of the body"),
+    ("Blade/Thickness", "10", "wider than the body is across"),
     ("Blade/Shoulder radius", "-1", "from 0 to"),
     ("Blade/Shoulder radius", "1e3", "no length left"),
     *[("Blade/Profile", profile, "that begin with 0 : 0", {"Blade/Shape": "profile"})
