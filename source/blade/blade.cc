@@ -69,6 +69,14 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     "[length : length].");
   Setsudan::declare(handler,
                     "Blade",
+                    "Guide",
+                    "fixed",
+                    Patterns::Selection("fixed|free"),
+                    "fixed: the blade keeps to the middle of the cut; free: it "
+                    "shifts sideways until the walls press on both flanks "
+                    "alike.");
+  Setsudan::declare(handler,
+                    "Blade",
                     "Friction",
                     "0",
                     Patterns::Double(),
@@ -285,6 +293,11 @@ void
 BladeParameters<dim>::read_shape(const Parameters &parameters)
 {
   const std::string shape = parameters.text("Blade", "Shape");
+  sliding.is_guided       = parameters.text("Blade", "Guide") == "fixed";
+  parameters.require(shape != "line" || sliding.is_guided,
+                     "Blade",
+                     "Guide",
+                     "fixed where Blade/Shape is line");
   if (shape == "line")
     return;
   parameters.require(

@@ -58,6 +58,18 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
                                      work_in_lift[used[j]]);
     }
   energy_at_rest = -all_products(loads, loads) / 2;
+  double softest = std::numeric_limits<double>::min();
+  for (unsigned int h = 0; h < basis.hats().size(); ++h)
+    for (const Wall wall : {Wall::minus, Wall::plus})
+      {
+        const unsigned int place = place_of[basis.vector_of_hat(
+          h, wall, ContactBasis<dim>::Component::outward)];
+        if (place != numbers::invalid_unsigned_int)
+          softest = std::max(softest,
+                             products(place, place) /
+                               (basis.hats()[h].area * basis.hats()[h].area));
+      }
+  weakest_guide = 1e-10 / softest;
 }
 
 
@@ -106,7 +118,8 @@ ContactPath<dim>::make_conditions()
                hat.area * (slope - tilt),
                hat.area * mu,
                hat.area * rubbed,
-               {{hat.area * mu * length * length, hat.area * rubbed}}});
+               {{hat.area * mu * length * length, hat.area * rubbed}},
+               wall == Wall::plus ? -hat.across : hat.across});
           }
       // Elsewhere the flanks keep the walls apart.
       const unsigned int minus = vector(Wall::minus, Component::outward);
@@ -148,12 +161,24 @@ ContactPath<dim>::make_conditions()
                               0.,
                               0.,
                               drag,
-                              {}});
+                              {},
+                              0.});
     }
+  make_problem();
+}
 
+
+
+template <int dim>
+void
+ContactPath<dim>::make_problem()
+{
   const unsigned int n = conditions.size();
   LinearInParameter required{Vector<double>(n), Vector<double>(n)};
   std::vector<VectorSum> measured, exerted;
+  std::optional<SharedUnknown> blade;
+  if (!sliding.is_guided)
+    blade = {Vector<double>(n), Vector<double>(n), weakest_guide};
   for (unsigned int i = 0; i < n; ++i)
     {
       measured.push_back(conditions[i].measured);
@@ -162,9 +187,19 @@ ContactPath<dim>::make_conditions()
       required.slope[i]    = conditions[i].per_travel;
       for (const auto &[a, factor] : conditions[i].measured)
         required.constant[i] -= factor * displacement_at_rest[a];
+      if (!blade)
+        continue;
+      // The unknown is how far it goes from where it rested.
+      required.constant[i] -= conditions[i].across * resting_shift;
+      blade->measured[i] = conditions[i].across;
+      blade->exerted[i] =
+        conditions[i].across * conditions[i].exerted[0].second;
     }
-  problem = std::make_unique<Complementarity>(
-    products, std::move(measured), std::move(exerted), std::move(required));
+  problem = std::make_unique<Complementarity>(products,
+                                              std::move(measured),
+                                              std::move(exerted),
+                                              std::move(required),
+                                              std::move(blade));
 }
 
 
@@ -314,8 +349,9 @@ ContactPath<dim>::take_piece(const double travel, const ActiveSet &active)
 
 template <int dim>
 void
-ContactPath<dim>::begin(const double travel, const ContactPath *neighbour)
+ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
 {
+  resting_shift = motion.shift;
   if (neighbour != nullptr)
     {
       facets       = neighbour->facets;
@@ -323,7 +359,16 @@ ContactPath<dim>::begin(const double travel, const ContactPath *neighbour)
       piece.active = neighbour->piece.active;
     }
   remake_conditions();
-  settle(travel);
+  settle(motion.travel);
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::shift(const double travel) const
+{
+  return resting_shift + piece.shared[0] + travel * piece.shared[1];
 }
 
 

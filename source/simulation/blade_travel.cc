@@ -148,7 +148,7 @@ template <int dim>
 std::vector<typename BladeTravel<dim>::Trial>
 BladeTravel<dim>::make_trials(CutBody<dim> &body,
                               const unsigned int row,
-                              const double travel)
+                              const BladeMotion &motion)
 {
   const unsigned int n_left = body.seam().rows().size() - row;
   const unsigned int most   = std::min(n_looked_ahead(body, row), n_left);
@@ -164,7 +164,7 @@ BladeTravel<dim>::make_trials(CutBody<dim> &body,
                         area,
                         required,
                         body.length_of_rows(row, n),
-                        contact(body).path(row + n, 0, travel, neighbour)});
+                        contact(body).path(row + n, 0, motion, neighbour)});
       neighbour = trials.back().path.get();
     }
   return trials;
@@ -282,6 +282,7 @@ BladeTravel<dim>::solve(CutBody<dim> &body,
   state.motion->friction_force = path->friction_force()(motion.travel);
   state.motion->force_along    = path->force_aside()(motion.travel);
   state.motion->contact_area   = path->contact_area();
+  state.motion->shift          = path->shift(motion.travel);
   check_energy(body, state);
   return state;
 }
@@ -298,11 +299,11 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   if (!from.motion)
     motion.energy_at_rest = from.potential_energy;
   if (row == 0)
-    motion.travel = motion.last_split = 0;
+    motion.travel = motion.last_split = motion.shift = 0;
   CutContact<dim> &of_cut = contact(body);
   if (!path)
-    path = of_cut.path(row, n_looked_ahead(body, row), motion.travel, nullptr);
-  auto trials             = make_trials(body, row, motion.travel);
+    path = of_cut.path(row, n_looked_ahead(body, row), motion, nullptr);
+  auto trials             = make_trials(body, row, motion);
   const Trial *const next = follow(trials, motion);
   motion.n_rows_to_split  = next ? next->n_rows : 0;
   State<dim> state        = solve(body, row, motion, from);
@@ -329,9 +330,8 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
   const unsigned int before = row - motion.n_rows_to_split;
   CutContact<dim> &of_cut   = contact(body);
   if (!path)
-    path = of_cut.path(before, row - before, motion.travel, nullptr);
-  auto split =
-    of_cut.path(row, n_looked_ahead(body, row), motion.travel, path.get());
+    path = of_cut.path(before, row - before, motion, nullptr);
+  auto split = of_cut.path(row, n_looked_ahead(body, row), motion, path.get());
   double required = 0;
   for (unsigned int r = before; r < row; ++r)
     required +=

@@ -71,7 +71,7 @@ template <int dim>
 std::unique_ptr<ContactPath<dim>>
 CutContact<dim>::path(const unsigned int n_split,
                       const unsigned int n_ahead,
-                      const double travel,
+                      const BladeMotion &motion,
                       const ContactPath<dim> *neighbour)
 {
   advance_products(n_free[n_split]);
@@ -83,7 +83,7 @@ CutContact<dim>::path(const unsigned int n_split,
                                                  products,
                                                  compliance.work_in_lift,
                                                  step);
-  path->begin(travel, neighbour);
+  path->begin(motion, neighbour);
   return path;
 }
 

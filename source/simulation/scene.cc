@@ -148,15 +148,16 @@ check_blade_fits(const Parameters &parameters,
                  const Scene<dim> &scene,
                  const Cut<dim> &cut)
 {
-  const Tensor<1, dim> normal =
-    measure_surface(scene.body, cut.surface.faces).vector;
-  // A closed surface has no across.
+  parameters.require(cut.edge.is_planar || scene.blade.sliding.is_guided,
+                     "Blade",
+                     "Guide",
+                     "fixed for a cut without a plane, as '" + cut.text + "'");
   if (!cut.edge.is_planar)
     return;
   double first = std::numeric_limits<double>::max(), last = -first;
   for (const auto &vertex : scene.body.mesh.vertices)
     {
-      const double across = vertex * normal / normal.norm();
+      const double across = vertex * cut.edge.normal;
       first               = std::min(first, across);
       last                = std::max(last, across);
     }

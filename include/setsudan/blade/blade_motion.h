@@ -22,6 +22,8 @@ struct BladeMotion
   /** The blade's force on the body along its edge. */
   double force_along  = 0;
   double contact_area = 0;
+  /** How far it has shifted sideways, towards the plus side. */
+  double shift = 0;
   /** Since the run began: the blade's work; what new surface and what friction
    * takes; and what is set free besides, as a row splits that could have done
    * so before, or as a wall springs back from the blade's shoulder. */
@@ -44,7 +46,8 @@ struct BladeMotion
   {
     archive &travel &time &last_split &edge_force &flank_force;
     archive &friction_force &force_along;
-    archive &contact_area &work &unfelt_work &surface_energy &friction_energy;
+    archive &contact_area &shift &work &unfelt_work &surface_energy
+      &friction_energy;
     archive &excess_energy &energy_at_rest &n_rows_to_split;
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/blade/blade_motion.h>
 #include <setsudan/blade/blade_profile.h>
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/contact/contact_basis.h>
@@ -35,6 +36,10 @@ namespace Setsudan
  * A blade that presses across the cut only has d.u left out of the flanks'
  * conditions, and their pressure exerts (1, mu). Its force is the same, t + mu:
  * what it does against the slope t the body does not feel.
+ *
+ * A blade that is not guided shifts by x, one unknown, which the flanks'
+ * conditions of the minus side have with the factor +A and those of the plus
+ * side with -A; the forces of both sides across the cut cancel.
  *
  * While the blade is pushed its flanks slip, and friction acts in a known
  * direction: a pressure exerts (1 - mu t) out of the cut and t + mu along the
@@ -72,9 +77,10 @@ public:
               const std::vector<double> &work_in_lift,
               const double smallest_step);
 
-  /** Find the contacts at a travel, beginning with those of another stage. */
+  /** Find the contacts where the blade is, beginning with those of another
+   * stage. */
   void
-  begin(const double travel, const ContactPath *neighbour);
+  begin(const BladeMotion &motion, const ContactPath *neighbour);
 
   /** Up to where the present contacts hold, not less than where they began;
    * infinite where nothing ends them. */
@@ -123,6 +129,10 @@ public:
   Quadratic
   friction_work_to(const ContactPath &after) const;
 
+  /** How far the blade has shifted towards the plus side. */
+  double
+  shift(const double travel) const;
+
   /** The area on which the flanks press. */
   double
   contact_area() const;
@@ -162,6 +172,8 @@ private:
     double aside;
     /** The energy that it takes over a slip of 1 along and aside. */
     std::array<double, 2> dissipation;
+    /** What a shift of the blade adds to the gap. */
+    double across;
 
     bool
     is_same(const Condition &other) const;
@@ -170,6 +182,10 @@ private:
   /** Make the conditions for the facets as they are. */
   void
   make_conditions();
+
+  /** And the problem that they pose. */
+  void
+  make_problem();
 
   /** The same, with the active set of those before as a guess. */
   void
@@ -234,6 +250,10 @@ private:
   std::vector<double> displacement_at_rest;
   double energy_at_rest = 0;
   const double smallest_step;
+  /** Where a blade that shifts was when this began, and the stiffness with
+   * which it is drawn there: it matters only where nothing touches. */
+  double resting_shift = 0;
+  double weakest_guide = 0;
 
   /** The facets of the hats' walls. */
   std::vector<unsigned int> facets;

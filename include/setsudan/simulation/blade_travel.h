@@ -58,7 +58,9 @@ private:
   contact(CutBody<dim> &body);
 
   std::vector<Trial>
-  make_trials(CutBody<dim> &body, const unsigned int row, const double travel);
+  make_trials(CutBody<dim> &body,
+              const unsigned int row,
+              const BladeMotion &motion);
 
   /** How many rows a trial may split. */
   unsigned int
