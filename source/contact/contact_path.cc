@@ -10,16 +10,6 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-bool
-ContactPath<dim>::Condition::is_same(const Condition &other) const
-{
-  return kind == other.kind && place == other.place &&
-         (kind != Kind::flank || wall == other.wall);
-}
-
-
-
-template <int dim>
 ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
                               const BladeProfile &profile,
                               const SlidingBlade &sliding,
@@ -58,174 +48,6 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
                                      work_in_lift[used[j]]);
     }
   energy_at_rest = -all_products(loads, loads) / 2;
-  double softest = std::numeric_limits<double>::min();
-  for (unsigned int h = 0; h < basis.hats().size(); ++h)
-    for (const Wall wall : {Wall::minus, Wall::plus})
-      {
-        const unsigned int place = place_of[basis.vector_of_hat(
-          h, wall, ContactBasis<dim>::Component::outward)];
-        if (place != numbers::invalid_unsigned_int)
-          softest = std::max(softest,
-                             products(place, place) /
-                               (basis.hats()[h].area * basis.hats()[h].area));
-      }
-  weakest_guide = 1e-10 / softest;
-}
-
-
-
-template <int dim>
-void
-ContactPath<dim>::make_conditions()
-{
-  using Component = typename ContactBasis<dim>::Component;
-  conditions.clear();
-  const double mu =
-    sliding.friction / std::sqrt(1 + sliding.slice * sliding.slice);
-  for (unsigned int h = 0; h < basis.hats().size(); ++h)
-    {
-      const auto &hat = basis.hats()[h];
-      if (hat.row >= row)
-        continue;
-      const auto vector = [&](const Wall wall, const Component component) {
-        return place_of[basis.vector_of_hat(h, wall, component)];
-      };
-      bool may_meet = true;
-      for (const Wall wall : {Wall::minus, Wall::plus})
-        if (!profile.facets.empty())
-          {
-            const auto &[begin, half_thickness, slope] =
-              profile.facets[facet(h, wall)];
-            may_meet = may_meet && profile.is_tip(facet(h, wall));
-            const unsigned int outward = vector(wall, Component::outward);
-            const unsigned int along   = vector(wall, Component::along);
-            const unsigned int aside =
-              sliding.rubs_aside() ? vector(wall, Component::aside) : along;
-            const double tilt   = profile.presses_across ? 0. : slope;
-            const double length = std::sqrt(1 + tilt * tilt);
-            const double rubbed = mu * sliding.slice * length;
-            conditions.push_back(
-              {Kind::flank,
-               h,
-               wall,
-               {{{outward, 1.}, {along, tilt}, {along, 0.}}},
-               {{{outward, 1 - mu * tilt},
-                 {along, tilt + mu},
-                 {aside, rubbed}}},
-               hat.area * (half_thickness - slope * (begin + hat.depth)),
-               hat.area * slope,
-               hat.area * (slope + mu),
-               hat.area * (slope - tilt),
-               hat.area * mu,
-               hat.area * rubbed,
-               {{hat.area * mu * length * length, hat.area * rubbed}},
-               wall == Wall::plus ? -hat.across : hat.across});
-          }
-      // Elsewhere the flanks keep the walls apart.
-      const unsigned int minus = vector(Wall::minus, Component::outward);
-      const unsigned int plus  = vector(Wall::plus, Component::outward);
-      const VectorSum both     = {{{minus, 1.}, {plus, 1.}, {plus, 0.}}};
-      if (may_meet)
-        conditions.push_back({Kind::walls,
-                              h,
-                              Wall::minus,
-                              both,
-                              both,
-                              0.,
-                              0.,
-                              0.,
-                              0.,
-                              0.,
-                              0.,
-                              {}});
-    }
-  for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
-    {
-      const auto &node = basis.edge_nodes()[n];
-      if (node.row != row)
-        continue;
-      const unsigned int place = place_of[basis.vector_of_edge_node(n)];
-      const VectorSum dragged  = {{{place, 1.}, {place, 0.}, {place, 0.}}};
-      const double drag        = sliding.drag();
-      const double way         = 1 + drag * drag;
-      // Nothing moves a node that is supported.
-      if (products(place, place) > 0)
-        conditions.push_back({Kind::edge,
-                              n,
-                              Wall::minus,
-                              dragged,
-                              dragged,
-                              -node.depth * way,
-                              way,
-                              1.,
-                              0.,
-                              0.,
-                              drag,
-                              {},
-                              0.});
-    }
-  make_problem();
-}
-
-
-
-template <int dim>
-void
-ContactPath<dim>::make_problem()
-{
-  const unsigned int n = conditions.size();
-  LinearInParameter required{Vector<double>(n), Vector<double>(n)};
-  std::vector<VectorSum> measured, exerted;
-  std::optional<SharedUnknown> blade;
-  if (!sliding.is_guided)
-    blade = {Vector<double>(n), Vector<double>(n), weakest_guide};
-  for (unsigned int i = 0; i < n; ++i)
-    {
-      measured.push_back(conditions[i].measured);
-      exerted.push_back(conditions[i].exerted);
-      required.constant[i] = conditions[i].constant;
-      required.slope[i]    = conditions[i].per_travel;
-      for (const auto &[a, factor] : conditions[i].measured)
-        required.constant[i] -= factor * displacement_at_rest[a];
-      if (!blade)
-        continue;
-      // The unknown is how far it goes from where it rested.
-      required.constant[i] -= conditions[i].across * resting_shift;
-      blade->measured[i] = conditions[i].across;
-      blade->exerted[i] =
-        conditions[i].across * conditions[i].exerted[0].second;
-    }
-  problem = std::make_unique<Complementarity>(products,
-                                              std::move(measured),
-                                              std::move(exerted),
-                                              std::move(required),
-                                              std::move(blade));
-}
-
-
-
-template <int dim>
-void
-ContactPath<dim>::remake_conditions()
-{
-  const auto others = std::move(conditions);
-  const auto active = std::move(piece.active);
-  make_conditions();
-  piece.active.assign(conditions.size(), false);
-  unsigned int o = 0;
-  // Both are in the order of the hats.
-  for (unsigned int i = 0; i < conditions.size(); ++i)
-    {
-      const auto same =
-        std::find_if(others.begin() + o, others.end(), [&](const auto &other) {
-          return conditions[i].is_same(other);
-        });
-      if (same != others.end())
-        {
-          o               = same - others.begin();
-          piece.active[i] = active[o];
-        }
-    }
 }
 
 
@@ -238,7 +60,7 @@ ContactPath<dim>::moved(
   const typename ContactBasis<dim>::Component component) const
 {
   const double area        = basis.hats()[h].area;
-  const unsigned int place = place_of[basis.vector_of_hat(h, wall, component)];
+  const unsigned int place = place_of_hat(h, wall, component);
   return {
     {(displacement_at_rest[place] + piece.displacements.constant[place]) / area,
      piece.displacements.slope[place] / area}};

@@ -153,31 +153,44 @@ private:
    * as the displacement is concerned. */
   struct Condition
   {
-    Kind kind;
+    Kind kind = Kind::walls;
     /** The hat or node of the edge. */
-    unsigned int place;
-    Wall wall;
+    unsigned int place = 0;
+    Wall wall          = Wall::minus;
     /** Vectors of the basis and their factors: what it measures, and what its
      * multiplier exerts. */
     VectorSum measured;
     VectorSum exerted;
-    double constant;
-    double per_travel;
+    double constant   = 0;
+    double per_travel = 0;
     /** What a multiplier of 1 asks of the blade along its direction, the part
      * of it that the body does not feel and that which is friction, and what it
      * exerts aside. */
-    double force;
-    double unfelt;
-    double friction;
-    double aside;
+    double force    = 0;
+    double unfelt   = 0;
+    double friction = 0;
+    double aside    = 0;
     /** The energy that it takes over a slip of 1 along and aside. */
-    std::array<double, 2> dissipation;
+    std::array<double, 2> dissipation{};
     /** What a shift of the blade adds to the gap. */
-    double across;
+    double across = 0;
 
     bool
     is_same(const Condition &other) const;
   };
+
+  /** Where a vector of a hat is in `products`. */
+  unsigned int
+  place_of_hat(const unsigned int hat,
+               const Wall wall,
+               const typename ContactBasis<dim>::Component component) const;
+
+  Condition
+  flank_condition(const unsigned int hat, const Wall wall) const;
+  Condition
+  walls_condition(const unsigned int hat) const;
+  Condition
+  edge_condition(const unsigned int node) const;
 
   /** Make the conditions for the facets as they are. */
   void
@@ -250,10 +263,9 @@ private:
   std::vector<double> displacement_at_rest;
   double energy_at_rest = 0;
   const double smallest_step;
-  /** Where a blade that shifts was when this began, and the stiffness with
-   * which it is drawn there: it matters only where nothing touches. */
+  /** Where a blade that shifts was when this began, and stays while nothing
+   * touches it. */
   double resting_shift = 0;
-  double weakest_guide = 0;
 
   /** The facets of the hats' walls. */
   std::vector<unsigned int> facets;
