@@ -15,6 +15,9 @@ namespace
 /** What is violated by less is round-off, relative to the largest. */
 constexpr double round_off = 1e-13;
 
+/** Of each contact, relative to the body's: too little to be seen. */
+constexpr double compliance = 1e-12;
+
 /** @param b of the same size. */
 Vector<double>
 at(const LinearInParameter &quantity, const double p)
@@ -72,6 +75,11 @@ Complementarity::solve(const ActiveSet &active,
       for (const auto &[a, factor] : measured[indices[i]])
         for (const auto &[b, other] : exerted[indices[j]])
           block(i, j) += factor * other * products(a, b);
+  // Where both flanks and the opposite wall touch a wall one of three
+  // conditions follows from the others; a little compliance tells their
+  // multipliers apart.
+  for (unsigned int i = 0; i < n; ++i)
+    block(i, i) *= 1 + compliance;
   if (shared)
     {
       for (unsigned int i = 0; i < n; ++i)

@@ -221,7 +221,8 @@ ContactPath<dim>::cross_end()
       settle(travel + smallest_step);
       end_of_piece = std::max(end_of_piece, travel + smallest_step);
     }
-  return 0;
+  // With friction the contacts may spring from one equilibrium to another.
+  return before - energy()(travel);
 }
 
 

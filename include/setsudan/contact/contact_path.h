@@ -93,7 +93,7 @@ public:
   /** Go on to the contacts beyond end().
    *
    * @return the energy that is lost: it is not 0 where a wall springs back at
-   *   an edge between facets. */
+   *   an edge between facets, or where with friction the equilibrium ends. */
   double
   cross_end();
 
