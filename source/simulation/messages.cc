@@ -178,9 +178,10 @@ describe_unfelt_work(const BladeMotion &motion)
     return {};
   std::ostringstream line;
   line.precision(3);
-  line << "The blade presses on the walls across the cut only: "
-       << 100 * motion.unfelt_work / motion.work
-       << " % of its work is against forces that the supports do not feel.";
+  line << "The blade presses on the walls across the cut only: of its force "
+          "along its way the supports feel "
+       << 100 * (1 - motion.unfelt_work / motion.work)
+       << " %, in the mean over its work.";
   return line.str();
 }
 
