@@ -39,9 +39,11 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     "Blade",
                     "Shape",
                     "line",
-                    Patterns::Selection("line|wedge"),
+                    Patterns::Selection("line|wedge|wire|profile"),
                     "line: the blade has no body; wedge: two flanks and a "
-                    "shank of Thickness, with Drive = travel.");
+                    "shank of Thickness; wire: a circle, Thickness its "
+                    "diameter; profile: as Profile has it. All but line with "
+                    "Drive = travel.");
   Setsudan::declare(handler,
                     "Blade",
                     "Wedge angle",
@@ -56,6 +58,23 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     Patterns::Double(),
                     "With which the flanks turn into the shank; at 0 a wall "
                     "springs back there, and its energy is lost [length].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Profile",
+                    "",
+                    Patterns::Anything(),
+                    "Of Shape = profile, as 'distance behind the edge : half "
+                    "thickness', separated by commas and beginning with 0 : 0; "
+                    "behind the last one is a shank, and Thickness is not read "
+                    "[length : length].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Guide",
+                    "fixed",
+                    Patterns::Selection("fixed|free"),
+                    "fixed: the blade keeps to the middle of the cut; free: it "
+                    "shifts sideways until the walls press on both flanks "
+                    "alike.");
   Setsudan::declare(handler,
                     "Blade",
                     "Friction",
@@ -225,22 +244,46 @@ BladeParameters<dim>::read_sliding(const Parameters &parameters)
 
 
 
-template <int dim>
-void
-BladeParameters<dim>::read_shape(const Parameters &parameters)
+namespace
 {
-  if (parameters.text("Blade", "Shape") == "line")
-    return;
-  parameters.require(
-    travels, "Blade", "Shape", "line where Blade/Drive is force");
+BladeProfile
+read_profile(const Parameters &parameters)
+{
+  std::vector<std::pair<double, double>> points;
+  bool is_profile = true;
+  for (const auto &[distance, half_thickness] :
+       split_items(parameters.text("Blade", "Profile"), ','))
+    {
+      std::vector<double> s, h;
+      is_profile = is_profile && parse_numbers(distance, s) && s.size() == 1 &&
+                   parse_numbers(half_thickness, h) && h.size() == 1;
+      if (!is_profile)
+        break;
+      const auto &[last, top] =
+        points.empty() ? std::make_pair(-1., 0.) : points.back();
+      // It is blunt nowhere, and grows thinner nowhere.
+      is_profile = points.empty() ? s[0] == 0 && h[0] == 0
+                                  : s[0] > last && h[0] >= top && h[0] > 0;
+      points.emplace_back(s[0], h[0]);
+    }
+  parameters.require(is_profile && points.size() > 1,
+                     "Blade",
+                     "Profile",
+                     "two or more 'distance : half thickness' that begin with "
+                     "0 : 0, of ascending distances, and half thicknesses that "
+                     "are more than 0 from the second one on and do not fall");
+  return BladeProfile::polygon(points);
+}
+
+BladeProfile
+read_wedge(const Parameters &parameters, const double thickness)
+{
   const double angle  = parameters.number("Blade", "Wedge angle");
   const double radius = parameters.number("Blade", "Shoulder radius");
   parameters.require(angle > 0 && angle < 180,
                      "Blade",
                      "Wedge angle",
                      "an angle of more than 0 and less than 180 degrees");
-  parameters.require(
-    thickness > 0, "Blade", "Thickness", "more than 0, for a wedge");
   const double largest =
     thickness / 2 / (1 - std::cos(angle / 2 * numbers::PI / 180));
   parameters.require(radius >= 0 && radius <= largest,
@@ -248,7 +291,34 @@ BladeParameters<dim>::read_shape(const Parameters &parameters)
                      "Shoulder radius",
                      "a length from 0 to " + std::to_string(largest) +
                        ", with which the flanks have no length left");
-  profile = BladeProfile::wedge(angle, thickness, radius);
+  return BladeProfile::wedge(angle, thickness, radius);
+}
+} // namespace
+
+
+template <int dim>
+void
+BladeParameters<dim>::read_shape(const Parameters &parameters)
+{
+  const std::string shape = parameters.text("Blade", "Shape");
+  sliding.is_guided       = parameters.text("Blade", "Guide") == "fixed";
+  parameters.require(shape != "line" || sliding.is_guided,
+                     "Blade",
+                     "Guide",
+                     "fixed where Blade/Shape is line");
+  if (shape == "line")
+    return;
+  parameters.require(
+    travels, "Blade", "Shape", "line where Blade/Drive is force");
+  if (shape == "profile")
+    {
+      profile = read_profile(parameters);
+      return;
+    }
+  parameters.require(
+    thickness > 0, "Blade", "Thickness", "more than 0, for a " + shape);
+  profile = shape == "wire" ? BladeProfile::wire(thickness)
+                            : read_wedge(parameters, thickness);
 }
 
 

@@ -40,7 +40,6 @@ BladeEdge<dim>::BladeEdge(const std::vector<Tensor<1, dim>> &areas,
                           const Tensor<1, dim> &way)
   : direction(way)
 {
-  Tensor<1, dim> normal;
   double area = 0;
   for (const auto &face : areas)
     {

@@ -13,6 +13,8 @@ namespace
 // A blade loses energy at every edge of its shoulder, all in all in inverse
 // proportion to their number.
 constexpr unsigned int n_shoulder_facets = 64;
+// Within 0.2 % of the circle. What presses across loses nothing at an edge.
+constexpr unsigned int n_wire_facets = 48;
 } // namespace
 
 
@@ -27,23 +29,52 @@ BladeProfile::wedge(const double angle,
     thickness / 2 - radius * (1 - std::cos(half_angle));
   const double flank_length = flank_height / std::tan(half_angle);
   const double center       = flank_length + radius * std::sin(half_angle);
-  const auto point_of_arc   = [&](const double turned) {
-    return std::make_pair(center - radius * std::sin(turned),
-                          thickness / 2 - radius * (1 - std::cos(turned)));
-  };
-  BladeProfile profile;
-  profile.facets.push_back({0., 0., std::tan(half_angle)});
+  std::vector<std::pair<double, double>> points = {{0., 0.}};
   if (radius > 0)
     for (unsigned int k = 0; k < n_shoulder_facets; ++k)
       {
-        const auto turned = [&](const unsigned int step) {
-          return half_angle * (1 - double(step) / n_shoulder_facets);
-        };
-        const auto [s, h]       = point_of_arc(turned(k));
-        const auto [s_end, end] = point_of_arc(turned(k + 1));
-        profile.facets.push_back({s, h, (end - h) / (s_end - s)});
+        const double turned = half_angle * (1 - double(k) / n_shoulder_facets);
+        points.emplace_back(center - radius * std::sin(turned),
+                            thickness / 2 - radius * (1 - std::cos(turned)));
       }
-  profile.facets.push_back({center, thickness / 2, 0.});
+  points.emplace_back(center, thickness / 2);
+  return polygon(points);
+}
+
+
+
+BladeProfile
+BladeProfile::polygon(const std::vector<std::pair<double, double>> &points)
+{
+  BladeProfile profile;
+  for (unsigned int k = 0; k + 1 < points.size(); ++k)
+    {
+      const auto &[s, h]     = points[k];
+      const auto &[end, top] = points[k + 1];
+      profile.facets.push_back({s, h, (top - h) / (end - s)});
+    }
+  profile.facets.push_back({points.back().first, points.back().second, 0.});
+  return profile;
+}
+
+
+
+BladeProfile
+BladeProfile::wire(const double diameter)
+{
+  const double radius = diameter / 2;
+  std::vector<std::pair<double, double>> points;
+  for (unsigned int k = 0; k <= n_wire_facets; ++k)
+    {
+      const double turned = k * dealii::numbers::PI / n_wire_facets;
+      points.emplace_back(radius * (1 - std::cos(turned)),
+                          radius * std::sin(turned));
+    }
+  BladeProfile profile = polygon(points);
+  // There is no shank behind the last facet.
+  profile.facets.pop_back();
+  profile.length         = diameter;
+  profile.presses_across = true;
   return profile;
 }
 
@@ -68,5 +99,25 @@ BladeProfile::half_thickness(const double s) const
     return 0;
   const Facet &facet = facets[facet_at(s)];
   return facet.half_thickness + facet.slope * (s - facet.begin);
+}
+
+
+
+double
+BladeProfile::thickness() const
+{
+  double largest = 0;
+  for (const auto &facet : facets)
+    largest = std::max(largest, 2 * facet.half_thickness);
+  return largest;
+}
+
+
+
+bool
+BladeProfile::is_tip(const unsigned int k) const
+{
+  return (k == 0 && facets[k].slope > 0) ||
+         (k + 1 == facets.size() && facets[k].slope < 0);
 }
 } // namespace Setsudan

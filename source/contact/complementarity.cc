@@ -15,6 +15,9 @@ namespace
 /** What is violated by less is round-off, relative to the largest. */
 constexpr double round_off = 1e-13;
 
+/** Of each contact, relative to the body's: too little to be seen. */
+constexpr double compliance = 1e-12;
+
 /** @param b of the same size. */
 Vector<double>
 at(const LinearInParameter &quantity, const double p)
@@ -29,11 +32,13 @@ at(const LinearInParameter &quantity, const double p)
 Complementarity::Complementarity(const LAPACKFullMatrix<double> &G,
                                  std::vector<VectorSum> rows,
                                  std::vector<VectorSum> forces,
-                                 LinearInParameter b)
+                                 LinearInParameter b,
+                                 std::optional<SharedUnknown> unknown)
   : products(G)
   , measured(std::move(rows))
   , exerted(std::move(forces))
   , required(std::move(b))
+  , shared(std::move(unknown))
 {
   AssertDimension(products.m(), products.n());
   AssertDimension(measured.size(), required.constant.size());
@@ -51,32 +56,51 @@ Complementarity::size() const
 
 
 
-std::vector<Vector<double>>
-Complementarity::multipliers(const ActiveSet &active,
-                             const std::vector<Vector<double>> &sides) const
+std::vector<Complementarity::Solved>
+Complementarity::solve(const ActiveSet &active,
+                       const std::vector<Vector<double>> &sides) const
 {
   std::vector<unsigned int> indices;
   for (unsigned int i = 0; i < size(); ++i)
     if (active[i])
       indices.push_back(i);
-  std::vector<Vector<double>> all(sides.size(), Vector<double>(size()));
+  std::vector<Solved> all(sides.size(), {Vector<double>(size())});
   const unsigned int n = indices.size();
   if (n == 0)
     return all;
-  LAPACKFullMatrix<double> block(n), right(n, sides.size());
+  const unsigned int n_all = n + shared.has_value();
+  LAPACKFullMatrix<double> block(n_all), right(n_all, sides.size());
   for (unsigned int j = 0; j < n; ++j)
     for (unsigned int i = 0; i < n; ++i)
       for (const auto &[a, factor] : measured[indices[i]])
         for (const auto &[b, other] : exerted[indices[j]])
           block(i, j) += factor * other * products(a, b);
+  // Where both flanks and the opposite wall touch a wall one of three
+  // conditions follows from the others; a little compliance tells their
+  // multipliers apart.
+  for (unsigned int i = 0; i < n; ++i)
+    block(i, i) *= 1 + compliance;
+  if (shared)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          block(i, n) = shared->measured[indices[i]];
+          block(n, i) = shared->exerted[indices[i]];
+        }
+      block(n, n) = -shared->stiffness;
+    }
   for (unsigned int s = 0; s < sides.size(); ++s)
     for (unsigned int i = 0; i < n; ++i)
       right(i, s) = sides[s][indices[i]];
   block.compute_lu_factorization();
   block.solve(right);
   for (unsigned int s = 0; s < sides.size(); ++s)
-    for (unsigned int i = 0; i < n; ++i)
-      all[s][indices[i]] = right(i, s);
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        all[s].multipliers[indices[i]] = right(i, s);
+      if (shared)
+        all[s].shared = right(n, s);
+    }
   return all;
 }
 
@@ -99,6 +123,7 @@ Complementarity::displacements(const Vector<double> &lambda) const
 
 Vector<double>
 Complementarity::gaps(const Vector<double> &moved,
+                      const double x,
                       const Vector<double> &b) const
 {
   Vector<double> gap(size());
@@ -107,6 +132,8 @@ Complementarity::gaps(const Vector<double> &moved,
       for (const auto &[a, factor] : measured[i])
         gap[i] += factor * moved[a];
       gap[i] -= b[i];
+      if (shared)
+        gap[i] += shared->measured[i] * x;
     }
   return gap;
 }
@@ -117,10 +144,10 @@ std::vector<unsigned int>
 Complementarity::violations(const ActiveSet &active,
                             const Vector<double> &b) const
 {
-  const Vector<double> lambda = multipliers(active, {b})[0];
-  const Vector<double> gap    = gaps(displacements(lambda), b);
-  const double allowed_pull   = round_off * lambda.linfty_norm();
-  const double allowed_gap    = round_off * b.linfty_norm();
+  const auto [lambda, x]    = solve(active, {b})[0];
+  const Vector<double> gap  = gaps(displacements(lambda), x, b);
+  const double allowed_pull = round_off * lambda.linfty_norm();
+  const double allowed_gap  = round_off * b.linfty_norm();
   std::vector<unsigned int> violated;
   for (unsigned int i = 0; i < size(); ++i)
     if (active[i] ? !(lambda[i] >= -allowed_pull) : !(gap[i] >= -allowed_gap))
@@ -173,11 +200,14 @@ Complementarity::piece(const ActiveSet &active) const
 {
   Piece piece;
   piece.active      = active;
-  const auto solved = multipliers(active, {required.constant, required.slope});
-  piece.multipliers = {solved[0], solved[1]};
-  piece.displacements = {displacements(solved[0]), displacements(solved[1])};
-  piece.gaps          = {gaps(piece.displacements.constant, required.constant),
-                         gaps(piece.displacements.slope, required.slope)};
+  const auto solved = solve(active, {required.constant, required.slope});
+  const auto &[constant, x0] = solved[0];
+  const auto &[slope, x1]    = solved[1];
+  piece.multipliers          = {constant, slope};
+  piece.displacements        = {displacements(constant), displacements(slope)};
+  piece.shared               = {{x0, x1}};
+  piece.gaps = {gaps(piece.displacements.constant, x0, required.constant),
+                gaps(piece.displacements.slope, x1, required.slope)};
   for (unsigned int i = 0; i < size(); ++i)
     if (active[i])
       piece.gaps.constant[i] = piece.gaps.slope[i] = 0;

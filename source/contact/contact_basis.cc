@@ -146,11 +146,13 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
        sum_over_processes(integrator.weights, discretization.communicator))
     if (pairs[corner].is_double())
       {
-        Hat hat{corner, rows[corner], 0., 0., {weights.begin(), weights.end()}};
+        Hat hat{
+          corner, rows[corner], 0., 0., 0., {weights.begin(), weights.end()}};
         for (const auto &[pair, weight] : weights)
           {
             hat.area += weight;
             hat.depth += weight * depth_of(pair);
+            hat.across += weight * (pairs[pair].normal * edge.normal);
           }
         hat.depth /= hat.area;
         all_hats.push_back(hat);

@@ -73,6 +73,15 @@ ContactPath<dim>::friction_force() const
 
 template <int dim>
 Quadratic
+ContactPath<dim>::unfelt_force() const
+{
+  return sum_over(Kind::flank, &Condition::unfelt);
+}
+
+
+
+template <int dim>
+Quadratic
 ContactPath<dim>::force_aside() const
 {
   Quadratic force       = sum_over(Kind::edge, &Condition::aside);
@@ -218,6 +227,7 @@ ContactPath<dim>::forces(const double travel) const
   template Quadratic ContactPath<dim>::edge_force() const;                    \
   template Quadratic ContactPath<dim>::flank_force() const;                   \
   template Quadratic ContactPath<dim>::friction_force() const;                \
+  template Quadratic ContactPath<dim>::unfelt_force() const;                  \
   template Quadratic ContactPath<dim>::force_aside() const;                   \
   template double ContactPath<dim>::friction_work(const double, const double) \
     const;                                                                    \

@@ -14,16 +14,6 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-bool
-ContactPath<dim>::Condition::is_same(const Condition &other) const
-{
-  return kind == other.kind && place == other.place &&
-         (kind != Kind::flank || wall == other.wall);
-}
-
-
-
-template <int dim>
 ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
                               const BladeProfile &profile,
                               const SlidingBlade &sliding,
@@ -67,126 +57,6 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
 
 
 template <int dim>
-void
-ContactPath<dim>::make_conditions()
-{
-  using Component = typename ContactBasis<dim>::Component;
-  conditions.clear();
-  const double mu =
-    sliding.friction / std::sqrt(1 + sliding.slice * sliding.slice);
-  for (unsigned int h = 0; h < basis.hats().size(); ++h)
-    {
-      const auto &hat = basis.hats()[h];
-      if (hat.row >= row)
-        continue;
-      const auto vector = [&](const Wall wall, const Component component) {
-        return place_of[basis.vector_of_hat(h, wall, component)];
-      };
-      bool is_ahead = true;
-      for (const Wall wall : {Wall::minus, Wall::plus})
-        if (!profile.facets.empty())
-          {
-            const auto &[begin, half_thickness, slope] =
-              profile.facets[facet(h, wall)];
-            is_ahead = is_ahead && facet(h, wall) == 0 && slope > 0;
-            const unsigned int outward = vector(wall, Component::outward);
-            const unsigned int along   = vector(wall, Component::along);
-            const unsigned int aside =
-              sliding.rubs_aside() ? vector(wall, Component::aside) : along;
-            const double length = std::sqrt(1 + slope * slope);
-            const double rubbed = mu * sliding.slice * length;
-            conditions.push_back(
-              {Kind::flank,
-               h,
-               wall,
-               {{{outward, 1.}, {along, slope}, {along, 0.}}},
-               {{{outward, 1 - mu * slope},
-                 {along, slope + mu},
-                 {aside, rubbed}}},
-               hat.area * (half_thickness - slope * (begin + hat.depth)),
-               hat.area * slope,
-               hat.area * (slope + mu),
-               hat.area * mu,
-               hat.area * rubbed,
-               {{hat.area * mu * length * length, hat.area * rubbed}}});
-          }
-      // Further behind the edge the flanks keep the walls apart.
-      const unsigned int minus = vector(Wall::minus, Component::outward);
-      const unsigned int plus  = vector(Wall::plus, Component::outward);
-      const VectorSum both     = {{{minus, 1.}, {plus, 1.}, {plus, 0.}}};
-      if (is_ahead)
-        conditions.push_back(
-          {Kind::walls, h, Wall::minus, both, both, 0., 0., 0., 0., 0., {}});
-    }
-  for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
-    {
-      const auto &node = basis.edge_nodes()[n];
-      if (node.row != row)
-        continue;
-      const unsigned int place = place_of[basis.vector_of_edge_node(n)];
-      const VectorSum dragged  = {{{place, 1.}, {place, 0.}, {place, 0.}}};
-      const double drag        = sliding.drag();
-      const double way         = 1 + drag * drag;
-      // Nothing moves a node that is supported.
-      if (products(place, place) > 0)
-        conditions.push_back({Kind::edge,
-                              n,
-                              Wall::minus,
-                              dragged,
-                              dragged,
-                              -node.depth * way,
-                              way,
-                              1.,
-                              0.,
-                              drag,
-                              {}});
-    }
-
-  const unsigned int n = conditions.size();
-  LinearInParameter required{Vector<double>(n), Vector<double>(n)};
-  std::vector<VectorSum> measured, exerted;
-  for (unsigned int i = 0; i < n; ++i)
-    {
-      measured.push_back(conditions[i].measured);
-      exerted.push_back(conditions[i].exerted);
-      required.constant[i] = conditions[i].constant;
-      required.slope[i]    = conditions[i].per_travel;
-      for (const auto &[a, factor] : conditions[i].measured)
-        required.constant[i] -= factor * displacement_at_rest[a];
-    }
-  problem = std::make_unique<Complementarity>(
-    products, std::move(measured), std::move(exerted), std::move(required));
-}
-
-
-
-template <int dim>
-void
-ContactPath<dim>::remake_conditions()
-{
-  const auto others = std::move(conditions);
-  const auto active = std::move(piece.active);
-  make_conditions();
-  piece.active.assign(conditions.size(), false);
-  unsigned int o = 0;
-  // Both are in the order of the hats.
-  for (unsigned int i = 0; i < conditions.size(); ++i)
-    {
-      const auto same =
-        std::find_if(others.begin() + o, others.end(), [&](const auto &other) {
-          return conditions[i].is_same(other);
-        });
-      if (same != others.end())
-        {
-          o               = same - others.begin();
-          piece.active[i] = active[o];
-        }
-    }
-}
-
-
-
-template <int dim>
 std::array<double, 2>
 ContactPath<dim>::moved(
   const unsigned int h,
@@ -194,7 +64,7 @@ ContactPath<dim>::moved(
   const typename ContactBasis<dim>::Component component) const
 {
   const double area        = basis.hats()[h].area;
-  const unsigned int place = place_of[basis.vector_of_hat(h, wall, component)];
+  const unsigned int place = place_of_hat(h, wall, component);
   return {
     {(displacement_at_rest[place] + piece.displacements.constant[place]) / area,
      piece.displacements.slope[place] / area}};
@@ -207,6 +77,8 @@ std::array<double, 2>
 ContactPath<dim>::distance_behind_edge(const unsigned int h,
                                        const Wall wall) const
 {
+  if (profile.presses_across)
+    return {{-basis.hats()[h].depth, 1.}};
   const auto along = moved(h, wall, ContactBasis<dim>::Component::along);
   return {{-basis.hats()[h].depth - along[0], 1 - along[1]}};
 }
@@ -263,7 +135,8 @@ ContactPath<dim>::settle(const double travel)
       remake_conditions();
     }
   throw SolverError("The walls of the cut do not come to rest on the blade's "
-                    "shoulder. Set Blade/Shoulder radius larger.");
+                    "shoulder. Set Blade/Shoulder radius larger, or Blade/"
+                    "Profile with more points.");
 }
 
 
@@ -312,16 +185,38 @@ ContactPath<dim>::take_piece(const double travel,
 
 template <int dim>
 void
-ContactPath<dim>::begin(const double travel, const ContactPath *neighbour)
+ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
 {
+  resting_shift = motion.shift;
   if (neighbour != nullptr)
     {
       facets       = neighbour->facets;
       conditions   = neighbour->conditions;
       piece.active = neighbour->piece.active;
+      remake_conditions();
     }
-  remake_conditions();
-  settle(travel);
+  else
+    {
+      const BladeContacts &earlier = motion.contacts;
+      if (earlier.facets.size() == facets.size())
+        {
+          facets        = earlier.facets;
+          resting_shift = earlier.resting_shift;
+        }
+      make_conditions();
+      if (earlier.active.size() == conditions.size())
+        piece.active = earlier.active;
+    }
+  settle(motion.travel);
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::shift(const double travel) const
+{
+  return resting_shift + piece.shared[0] + travel * piece.shared[1];
 }
 
 
@@ -352,7 +247,8 @@ ContactPath<dim>::cross_end()
       settle(travel + smallest_step);
       end_of_piece = std::max(end_of_piece, travel + smallest_step);
     }
-  return 0;
+  // With friction the contacts may spring from one equilibrium to another.
+  return before - energy()(travel);
 }
 
 

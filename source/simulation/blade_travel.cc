@@ -30,6 +30,9 @@ move_to(const double travel,
   };
   motion.work +=
     (force_at(motion.travel) + force_at(travel)) / 2 * (travel - motion.travel);
+  const Quadratic unfelt = path.unfelt_force();
+  motion.unfelt_work +=
+    (unfelt(motion.travel) + unfelt(travel)) / 2 * (travel - motion.travel);
   motion.friction_energy += path.friction_work(motion.travel, travel);
   if (speed > 0)
     motion.time += (travel - motion.travel) / speed;
@@ -150,6 +153,8 @@ BladeTravel<dim>::solve(CutBody<dim> &body,
   state.motion->friction_force = path->friction_force()(motion.travel);
   state.motion->force_along    = path->force_aside()(motion.travel);
   state.motion->contact_area   = path->contact_area();
+  state.motion->shift          = path->shift(motion.travel);
+  state.motion->contacts       = path->contacts();
   check_energy(body, state);
   return state;
 }
@@ -166,12 +171,14 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   if (!from.motion)
     motion.energy_at_rest = from.potential_energy;
   if (row == 0)
-    motion.travel = motion.last_split = 0;
+    {
+      motion.travel = motion.last_split = motion.shift = 0;
+      motion.contacts                                  = {};
+    }
   CutContact<dim> &of_cut = contact(body);
   if (!path)
-    path = of_cut.path(
-      row, search->n_looked_ahead(body, row), motion.travel, nullptr);
-  search->begin(body, of_cut, row, *path, motion.travel);
+    path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
+  search->begin(body, of_cut, row, *path, motion);
   const auto split       = follow(motion);
   motion.n_rows_to_split = split ? split->n_rows : 0;
   State<dim> state       = solve(body, row, motion, from);
@@ -193,9 +200,9 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
   const unsigned int before = row - motion.n_rows_to_split;
   CutContact<dim> &of_cut   = contact(body);
   if (!path)
-    path = of_cut.path(before, row - before, motion.travel, nullptr);
-  auto split = of_cut.path(
-    row, search->n_looked_ahead(body, row), motion.travel, path.get());
+    path = of_cut.path(before, row - before, motion, nullptr);
+  auto split =
+    of_cut.path(row, search->n_looked_ahead(body, row), motion, path.get());
   const double released = path->energy_set_free(*split)(motion.travel);
   const double taken =
     search->surface_energy(body, before, row - before, motion, released);

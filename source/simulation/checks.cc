@@ -126,6 +126,8 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
       if (moved > 0)
         event.mean_force = (state.motion->work - before.work) / moved;
       event.motion = state.motion;
+      // The body does not feel all of it where it presses across the cut only.
+      event.blade_force = state.motion->edge_force + state.motion->flank_force;
     }
   event.strain_energy    = state.strain_energy;
   event.potential_energy = state.potential_energy;

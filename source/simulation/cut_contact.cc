@@ -57,6 +57,8 @@ template <int dim>
 void
 CutContact<dim>::advance_products(const unsigned int n)
 {
+  if (n == n_summed)
+    return;
   if (n < n_summed)
     {
       products = 0;
@@ -77,7 +79,7 @@ template <int dim>
 std::unique_ptr<ContactPath<dim>>
 CutContact<dim>::path(const unsigned int n_split,
                       const unsigned int n_ahead,
-                      const double travel,
+                      const BladeMotion &motion,
                       const ContactPath<dim> *neighbour)
 {
   advance_products(n_free[n_split]);
@@ -89,7 +91,7 @@ CutContact<dim>::path(const unsigned int n_split,
                                                  products,
                                                  compliance.work_in_lift,
                                                  step);
-  path->begin(travel, neighbour);
+  path->begin(motion, neighbour);
   return path;
 }
 

@@ -43,7 +43,7 @@ EnergySplitSearch<dim>::begin(CutBody<dim> &body,
                               CutContact<dim> &contact,
                               const unsigned int row,
                               const ContactPath<dim> &path,
-                              const double travel)
+                              const BladeMotion &motion)
 {
   before                    = &path;
   const unsigned int n_left = body.seam().rows().size() - row;
@@ -59,7 +59,7 @@ EnergySplitSearch<dim>::begin(CutBody<dim> &body,
                         area,
                         energy,
                         body.length_of_rows(row, n),
-                        contact.path(row + n, 0, travel, neighbour)});
+                        contact.path(row + n, 0, motion, neighbour)});
       neighbour = trials.back().path.get();
     }
 }

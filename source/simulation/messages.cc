@@ -173,6 +173,22 @@ describe_arrest(const Scene<dim> &scene,
 
 
 
+std::optional<std::string>
+describe_unfelt_work(const BladeMotion &motion)
+{
+  if (motion.unfelt_work == 0)
+    return {};
+  std::ostringstream line;
+  line.precision(3);
+  line << "The blade presses on the walls across the cut only: of its force "
+          "along its way the supports feel "
+       << 100 * (1 - motion.unfelt_work / motion.work)
+       << " %, in the mean over its work.";
+  return line.str();
+}
+
+
+
 template <int dim>
 std::vector<std::string>
 describe_loose_pieces(const CutBody<dim> &body,

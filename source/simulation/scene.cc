@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <numeric>
 #include <setsudan/mechanics/pieces/hinges.h>
 #include <setsudan/mesh/geometry.h>
+#include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/scene.h>
 #include <setsudan/space/rigid_modes.h>
@@ -138,6 +141,39 @@ check_supports(const Parameters &parameters,
                         text_of(*node) + " they do not");
 }
 
+/** Refuse a blade that is wider than the body across a cut. */
+template <int dim>
+void
+check_blade_fits(const Parameters &parameters,
+                 const Scene<dim> &scene,
+                 const Cut<dim> &cut)
+{
+  parameters.require(cut.edge.is_planar || scene.blade.sliding.is_guided,
+                     "Blade",
+                     "Guide",
+                     "fixed for a cut without a plane, as '" + cut.text + "'");
+  if (!cut.edge.is_planar)
+    return;
+  double first = std::numeric_limits<double>::max(), last = -first;
+  for (const auto &vertex : scene.body.mesh.vertices)
+    {
+      const double across = vertex * cut.edge.normal;
+      first               = std::min(first, across);
+      last                = std::max(last, across);
+    }
+  const bool is_profile = parameters.text("Blade", "Shape") == "profile";
+  parameters.require(
+    scene.blade.profile.thickness() < last - first,
+    "Blade",
+    is_profile ? "Profile" : "Thickness",
+    (is_profile
+       ? "half thicknesses of less than " + short_text((last - first) / 2)
+       : "less than " + short_text(last - first)) +
+      ", or the blade is wider than the body is across '" + cut.text + "'");
+}
+
+
+
 /** Refuse what a blade that travels cannot do. */
 template <int dim>
 void
@@ -156,11 +192,8 @@ check_travel(const Parameters &parameters, const Scene<dim> &scene)
             "Blade",
             "Edge loads",
             "nothing, since the force is the reaction,");
-  require(scene.blade.thickness < scene.body.mesh.extent() ||
-            scene.blade.profile.facets.empty(),
-          "Blade",
-          "Thickness",
-          "less than the size of the body");
+  for (const auto &cut : scene.cut.cuts)
+    check_blade_fits(parameters, scene, cut);
   require(scene.yield.check == YieldParameters::Check::every_row,
           "Yield",
           "Check",

@@ -70,6 +70,9 @@ Simulation<dim>::run()
         checkpoint_if_due(Checkpoint::Stage::divided);
       goes_on = make_cut(cut);
     }
+  if (const auto sentence =
+        describe_unfelt_work(state.motion.value_or(BladeMotion())))
+    results.progress.info(*sentence);
   results.finish();
   checkpoints.finish();
   std::ostringstream line;

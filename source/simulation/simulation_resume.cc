@@ -13,9 +13,11 @@ bool
 Simulation<dim>::resume()
 {
   repeat_surgeries(*checkpoint, body);
-  state    = restore_state(*checkpoint, body);
-  event    = checkpoint->event;
-  n_frames = checkpoint->n_frames;
+  state = restore_state(*checkpoint, body);
+  event = checkpoint->event;
+  // Where a blade that travels is.
+  state.motion = event.motion;
+  n_frames     = checkpoint->n_frames;
   results.restore(checkpoint->record);
   const bool divided = checkpoint->stage == Checkpoint::Stage::divided;
   results.progress.info(

@@ -22,7 +22,7 @@ StressSplitSearch<dim>::begin(CutBody<dim> &of_body,
                               CutContact<dim> &of_contact,
                               const unsigned int of_row,
                               const ContactPath<dim> &of_path,
-                              const double)
+                              const BladeMotion &)
 {
   body     = &of_body;
   contact  = &of_contact;

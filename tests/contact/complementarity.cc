@@ -2,7 +2,8 @@
 // Random complementarity problems with a symmetric positive definite matrix:
 // from any active set the same solution is found, it obeys the conditions, and
 // pieces that are followed from breakpoint to breakpoint are the solutions that
-// are found anew between them. A problem that has no solution is refused.
+// are found anew between them; also where gaps share an unknown. A problem that
+// has no solution is refused.
 
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/parameters/exceptions.h>
@@ -113,6 +114,47 @@ test(const unsigned int n, Generator &generator)
 }
 
 
+/** An unknown that gaps share, and has a stiffness, adds its own compliance to
+ * that of the body. */
+void
+test_shared(const unsigned int n, Generator &generator)
+{
+  constexpr double stiffness = 0.1;
+  std::normal_distribution<double> normal;
+  const auto products = random_products(n, generator);
+  auto with_unknown   = products;
+  Vector<double> factor(n), required(n);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      factor[i]   = normal(generator);
+      required[i] = normal(generator);
+    }
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      with_unknown(i, j) = products(i, j) + factor[i] * factor[j] / stiffness;
+  const auto vectors = single_vectors(n);
+  const LinearInParameter constant{required, Vector<double>(n)};
+  const Complementarity expected(with_unknown, vectors, vectors, constant);
+  const Complementarity problem(products,
+                                vectors,
+                                vectors,
+                                constant,
+                                SharedUnknown{factor, factor, stiffness});
+  const ActiveSet active = problem.active_set(0);
+  const auto piece       = problem.piece(active);
+  auto difference        = piece.multipliers.constant;
+  difference -= expected.piece(active).multipliers.constant;
+  std::cout << n << ": "
+            << (active == expected.active_set(0) ? "same" : "FAILED, another")
+            << " active set with a shared unknown" << std::endl;
+  check_below("  multipliers", difference.linfty_norm(), 1e-9);
+  check_below(
+    "  its equation",
+    std::abs(factor * piece.multipliers.constant - stiffness * piece.shared[0]),
+    1e-9);
+}
+
+
 /** A gap that its own multiplier closes. */
 void
 test_impossible()
@@ -142,6 +184,8 @@ main(int argc, char **argv)
     Generator generator(1996);
     for (const unsigned int n : {1, 2, 5, 20, 60})
       test(n, generator);
+    for (const unsigned int n : {1, 5, 20})
+      test_shared(n, generator);
     test_impossible();
   });
 }

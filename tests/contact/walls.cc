@@ -108,7 +108,7 @@ test(const std::string &element_type, const bool has_blade)
   if (has_blade)
     profile.facets = {{-10., strain / 2, 0.}};
   CutContact<dim> contact(body, profile);
-  const auto path = contact.path(n_rows, 0, 0, nullptr);
+  const auto path = contact.path(n_rows, 0, BladeMotion(), nullptr);
   const State<dim> state =
     solve_state(body,
                 contact.load(*path, n_rows, 0),

@@ -139,8 +139,8 @@ def support():
 
 def travel():
     for base in (SCENE, PLANE_SCENE):
-        for path, value, allowed in WRONG_TRAVEL:
-            yield wrong_value(path, value, allowed, {**base, **TRAVEL})
+        for path, value, allowed, *also in WRONG_TRAVEL:
+            yield wrong_value(path, value, allowed, {**base, **TRAVEL}, *also)
 
 
 def cases(group):

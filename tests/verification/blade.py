@@ -107,6 +107,32 @@ def wedge_rows(options, long):
                   "40 degrees, 16 over 1", 1, cut.mean_force(), .006)
 
 
+def wire_rows(options, _):
+    """The same block and a wire, behind which the walls close again."""
+    for friction in (0, .1):
+        mesh = f"wire 0.15, friction {friction}, 16 over 1"
+        cut = Cut(options, 8, 32, (.5, 2), {
+            "Blade/Shape": "wire", "Blade/Thickness": .15,
+            "Blade/Friction": friction, "Material/Toughness": 1e-3}, (.8, 1.3))
+        yield from energies(cut, mesh)
+        # What is stored behind it is given back.
+        yield Row("1 + energy that is stored over work", mesh, 1,
+                  1 + cut.change("strain_energy") / cut.change("work"), 1e-3)
+        if friction == 0:
+            yield Row("mean force over toughness", mesh, 1, cut.mean_force(), 1e-3)
+
+
+def profile_rows(options, _):
+    """A wedge whose flanks and shank are given as a profile."""
+    shapes = [{"Blade/Shape": "wedge", "Blade/Wedge angle": 90, "Blade/Thickness": .1},
+              {"Blade/Shape": "profile", "Blade/Profile": "0 : 0, 0.05 : 0.05"}]
+    wedge, profile = (block(options, 8, {**shape, "Material/Toughness": 1e-3})
+                      for shape in shapes)
+    for column in ("travel", "blade_force", "work"):
+        yield Row(f"{column}, profile over wedge", "8 along the cut",
+                  number(wedge.end, column), number(profile.end, column), 1e-9)
+
+
 ARM, HALF_THICKNESS, TOUGHNESS = .05, .01, 4e-7
 
 
@@ -223,8 +249,8 @@ def stress_rows(options, _):
 
 
 def rows(options, long):
-    for of_kind in (thin_rows, wedge_rows, cantilever_rows, slab_rows, slicing_rows,
-                    rate_rows, stress_rows):
+    for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows, cantilever_rows,
+                    slab_rows, slicing_rows, rate_rows, stress_rows):
         yield from of_kind(options, long)
 
 

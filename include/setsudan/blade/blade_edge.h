@@ -43,6 +43,9 @@ struct BladeEdge
   double angle_to_faces = 0;
   /** Whether the surface has a plane, along which the edge lies. */
   bool is_planar = false;
+  /** The unit normal of that plane, towards the plus side; where there is none
+   * it means nothing. */
+  dealii::Tensor<1, dim> normal;
   /** The axis nearest to the edge. */
   unsigned int axis = 0;
 };

@@ -1,8 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <vector>
+
 namespace Setsudan
 {
+/** Which contacts a blade has; there may be other ones with which the body is
+ * in equilibrium at the same travel. */
+struct BladeContacts
+{
+  /** The facets of the blade that the walls are on. */
+  std::vector<unsigned int> facets;
+  /** Which conditions of contact hold with equality. */
+  std::vector<bool> active;
+  /** The shift of a blade that nothing pushes aside. */
+  double resting_shift = 0;
+
+  /** For boost::serialization. */
+  template <typename Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &facets &active &resting_shift;
+  }
+};
+
 /** Where a blade that travels is, and what it has done so far; lengths, forces
  * and energies in the scene's units. */
 struct BladeMotion
@@ -22,10 +44,15 @@ struct BladeMotion
   /** The blade's force on the body along its edge. */
   double force_along  = 0;
   double contact_area = 0;
+  /** How far it has shifted sideways, towards the plus side. */
+  double shift = 0;
   /** Since the run began: the blade's work; what new surface and what friction
    * takes; and what is set free besides, as a row splits that could have done
    * so before, or as a wall springs back from the blade's shoulder. */
-  double work            = 0;
+  double work = 0;
+  /** The part of the work that the body does not feel as a force along the
+   * direction. */
+  double unfelt_work     = 0;
   double surface_energy  = 0;
   double friction_energy = 0;
   double excess_energy   = 0;
@@ -33,6 +60,7 @@ struct BladeMotion
   double energy_at_rest = 0;
   /** How many rows split next, all at once; 0 where none does. */
   unsigned int n_rows_to_split = 0;
+  BladeContacts contacts;
 
   /** For boost::serialization. */
   template <typename Archive>
@@ -41,8 +69,9 @@ struct BladeMotion
   {
     archive &travel &time &last_split &edge_force &flank_force;
     archive &friction_force &force_along;
-    archive &contact_area &work &surface_energy &friction_energy;
-    archive &excess_energy &energy_at_rest &n_rows_to_split;
+    archive &contact_area &shift &work &unfelt_work &surface_energy
+      &friction_energy;
+    archive &excess_energy &energy_at_rest &n_rows_to_split &contacts;
   }
 };
 } // namespace Setsudan

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace Setsudan
@@ -20,8 +22,19 @@ struct BladeProfile
   };
 
   /** Ascending; none for a blade without a body. The first one begins at the
-   * edge, and the last one has no end. */
+   * edge. It and the last one are lines without an end, also where they cross
+   * the middle of the blade: beyond that nothing keeps walls apart. */
   std::vector<Facet> facets;
+
+  /** How far the blade reaches behind its edge. */
+  double length = std::numeric_limits<double>::infinity();
+
+  /** Whether its pressure acts across the cut only, and each facet on what has
+   * been so far behind the edge before the body was deformed. A blunt edge
+   * would push walls before it, instead of aside, if it pressed normally to
+   * itself.
+   */
+  bool presses_across = false;
 
   /**
    * A symmetric wedge that ends in a shank.
@@ -36,8 +49,31 @@ struct BladeProfile
         const double thickness,
         const double shoulder_radius);
 
+  /**
+   * A polygon that ends in a shank.
+   *
+   * @param points distances behind the edge and half thicknesses: at least two,
+   *   of ascending distances, the first one the edge.
+   */
+  static BladeProfile
+  polygon(const std::vector<std::pair<double, double>> &points);
+
+  /** A circle, of which the edge is the foremost point: a polygon with facets
+   * of equal angles. */
+  static BladeProfile
+  wire(const double diameter);
+
   double
   half_thickness(const double s) const;
+
+  /** The largest thickness. */
+  double
+  thickness() const;
+
+  /** Whether the blade tapers to nothing on a facet: the walls may meet there.
+   */
+  bool
+  is_tip(const unsigned int facet) const;
 
   /** The facet at a distance behind the edge; ahead of it the first one. */
   unsigned int

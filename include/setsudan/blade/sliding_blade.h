@@ -6,6 +6,9 @@ namespace Setsudan
 /** How a blade slides along the walls and the front of a cut. */
 struct SlidingBlade
 {
+  /** Whether it is held in the middle of the cut; if not it shifts sideways
+   * until the walls press on it from both sides alike. */
+  bool is_guided = true;
   /** Coulomb's coefficient between flanks and walls. */
   double friction = 0;
   /** How far the blade moves along its edge for each length that it is pushed.

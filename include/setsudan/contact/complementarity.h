@@ -39,6 +39,20 @@ using ActiveSet = std::vector<bool>;
 using VectorSum = std::array<std::pair<unsigned int, double>, 3>;
 
 /**
+ * One more unknown x that gaps share, and its equation:
+ *   gap = W multiplier + measured x - required,
+ *   exerted . multiplier = stiffness x.
+ * With a stiffness that is small beside that of W it is free, and 0 where no
+ * active condition knows it.
+ */
+struct SharedUnknown
+{
+  dealii::Vector<double> measured;
+  dealii::Vector<double> exerted;
+  double stiffness;
+};
+
+/**
  * A linear complementarity problem with a parameter p: multipliers and gaps
  * with
  *   gap = W multiplier - required(p) >= 0,  multiplier >= 0,
@@ -60,13 +74,15 @@ public:
     LinearInParameter gaps;
     /** Along the vectors, as far as the multipliers cause them. */
     LinearInParameter displacements;
+    /** The shared unknown, which is 0 where there is none. */
+    std::array<double, 2> shared;
 
     /** For boost::serialization. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &active &multipliers &gaps &displacements;
+      archive &active &multipliers &gaps &displacements &shared;
     }
   };
 
@@ -85,11 +101,13 @@ public:
     }
   };
 
-  /** @param products G, which must live as long. */
+  /** @param products G, which must live as long.
+   * @param shared if there is one. */
   Complementarity(const dealii::LAPACKFullMatrix<double> &products,
                   std::vector<VectorSum> measured,
                   std::vector<VectorSum> exerted,
-                  LinearInParameter required);
+                  LinearInParameter required,
+                  std::optional<SharedUnknown> shared = {});
 
   unsigned int
   size() const;
@@ -117,12 +135,18 @@ public:
   end_of(const Piece &piece, const double p) const;
 
 private:
+  struct Solved
+  {
+    dealii::Vector<double> multipliers;
+    double shared = 0;
+  };
+
   /** Solve for the multipliers of the active conditions; the others are 0.
    *
-   * @param required one of more right-hand sides. */
-  std::vector<dealii::Vector<double>>
-  multipliers(const ActiveSet &active,
-              const std::vector<dealii::Vector<double>> &required) const;
+   * @param required one or more right-hand sides. */
+  std::vector<Solved>
+  solve(const ActiveSet &active,
+        const std::vector<dealii::Vector<double>> &required) const;
 
   /** What is wrong with an active set at p: none of it, if it is that of the
    * solution. */
@@ -140,11 +164,13 @@ private:
   /** The gaps that displacements leave. */
   dealii::Vector<double>
   gaps(const dealii::Vector<double> &displacements,
+       const double shared,
        const dealii::Vector<double> &required) const;
 
   const dealii::LAPACKFullMatrix<double> &products;
   const std::vector<VectorSum> measured;
   const std::vector<VectorSum> exerted;
   const LinearInParameter required;
+  const std::optional<SharedUnknown> shared;
 };
 } // namespace Setsudan

@@ -40,6 +40,8 @@ public:
      * entry it lies, along the blade's direction. */
     double area;
     double depth;
+    /** The integral of its part across the whole cut, for walls in steps. */
+    double across;
     /** The pairs on the faces around it, and their weights. */
     std::vector<std::pair<unsigned int, double>> weights;
   };

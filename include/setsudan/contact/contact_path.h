@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/blade/blade_motion.h>
 #include <setsudan/blade/blade_profile.h>
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/contact/contact_basis.h>
@@ -32,6 +33,14 @@ namespace Setsudan
  * where d.u is the displacement along the blade's direction and o.u that out of
  * the cut, both weighted with the hat, A the hat's integral and z its depth,
  * and the facet begins s behind the edge with half thickness h and slope t.
+ *
+ * A blade that presses across the cut only has d.u left out of the flanks'
+ * conditions, and their pressure exerts (1, mu). Its force is the same, t + mu:
+ * what it does against the slope t the body does not feel.
+ *
+ * A blade that is not guided shifts by x, one unknown, which the flanks'
+ * conditions of the minus side have with the factor +A and those of the plus
+ * side with -A; the forces of both sides across the cut cancel.
  *
  * While the blade is pushed its flanks slip, and friction acts in a known
  * direction: a pressure exerts (1 - mu t) out of the cut and t + mu along the
@@ -69,9 +78,10 @@ public:
               const std::vector<double> &work_in_lift,
               const double smallest_step);
 
-  /** Find the contacts at a travel, beginning with those of another stage. */
+  /** Find the contacts where the blade is, beginning with those of another
+   * stage. */
   void
-  begin(const double travel, const ContactPath *neighbour);
+  begin(const BladeMotion &motion, const ContactPath *neighbour);
 
   /** Up to where the present contacts hold, not less than where they began;
    * infinite where nothing ends them. */
@@ -84,7 +94,7 @@ public:
   /** Go on to the contacts beyond end().
    *
    * @return the energy that is lost: it is not 0 where a wall springs back at
-   *   an edge between facets. */
+   *   an edge between facets, or where with friction the equilibrium ends. */
   double
   cross_end();
 
@@ -93,14 +103,17 @@ public:
   Quadratic
   energy() const;
 
-  /** A force on the body along the blade's direction, over the travel: of the
-   * edge, of the flanks, and the part of the latter that is friction. */
+  /** The blade's force along its direction, over the travel: of the edge, of
+   * the flanks, and the parts of the latter that are friction, and that the
+   * body does not feel. */
   Quadratic
   edge_force() const;
   Quadratic
   flank_force() const;
   Quadratic
   friction_force() const;
+  Quadratic
+  unfelt_force() const;
 
   /** The force of the blade on the body along its edge. */
   Quadratic
@@ -120,6 +133,17 @@ public:
   /** What is left of the energy for new surface, and for an excess. */
   Quadratic
   energy_set_free(const ContactPath &after) const;
+
+  /** How far the blade has shifted towards the plus side. */
+  double
+  shift(const double travel) const;
+
+  /** The contacts that hold now. */
+  BladeContacts
+  contacts() const
+  {
+    return {facets, piece.active, resting_shift};
+  }
 
   /** The area on which the flanks press. */
   double
@@ -141,31 +165,52 @@ private:
    * as the displacement is concerned. */
   struct Condition
   {
-    Kind kind;
+    Kind kind = Kind::walls;
     /** The hat or node of the edge. */
-    unsigned int place;
-    Wall wall;
+    unsigned int place = 0;
+    Wall wall          = Wall::minus;
     /** Vectors of the basis and their factors: what it measures, and what its
      * multiplier exerts. */
     VectorSum measured;
     VectorSum exerted;
-    double constant;
-    double per_travel;
-    /** What a multiplier of 1 exerts along the blade's direction, the part of
-     * it that is friction, and what it exerts aside. */
-    double force;
-    double friction;
-    double aside;
+    double constant   = 0;
+    double per_travel = 0;
+    /** What a multiplier of 1 asks of the blade along its direction, the part
+     * of it that the body does not feel and that which is friction, and what it
+     * exerts aside. */
+    double force    = 0;
+    double unfelt   = 0;
+    double friction = 0;
+    double aside    = 0;
     /** The energy that it takes over a slip of 1 along and aside. */
-    std::array<double, 2> dissipation;
+    std::array<double, 2> dissipation{};
+    /** What a shift of the blade adds to the gap. */
+    double across = 0;
 
     bool
     is_same(const Condition &other) const;
   };
 
+  /** Where a vector of a hat is in `products`. */
+  unsigned int
+  place_of_hat(const unsigned int hat,
+               const Wall wall,
+               const typename ContactBasis<dim>::Component component) const;
+
+  Condition
+  flank_condition(const unsigned int hat, const Wall wall) const;
+  Condition
+  walls_condition(const unsigned int hat) const;
+  Condition
+  edge_condition(const unsigned int node) const;
+
   /** Make the conditions for the facets as they are. */
   void
   make_conditions();
+
+  /** And the problem that they pose. */
+  void
+  make_problem();
 
   /** The same, with the active set of those before as a guess. */
   void
@@ -231,6 +276,9 @@ private:
   std::vector<double> displacement_at_rest;
   double energy_at_rest = 0;
   const double smallest_step;
+  /** Where a blade that shifts was when this began, and stays while nothing
+   * touches it. */
+  double resting_shift = 0;
 
   /** The facets of the hats' walls. */
   std::vector<unsigned int> facets;

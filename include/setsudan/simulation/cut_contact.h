@@ -24,14 +24,14 @@ public:
   bool
   is_of(CutBody<dim> &body) const;
 
-  /** The contact while the first rows are split, at a travel.
+  /** The contact while the first rows are split, with the blade where it is.
    *
    * @param n_ahead how many rows may split next.
    * @param neighbour one whose contacts may be near; null if there is none. */
   std::unique_ptr<ContactPath<dim>>
   path(const unsigned int n_split,
        const unsigned int n_ahead,
-       const double travel,
+       const BladeMotion &motion,
        const ContactPath<dim> *neighbour);
 
   /** The blade as it presses at a travel. */

@@ -27,7 +27,7 @@ public:
         CutContact<dim> &contact,
         const unsigned int row,
         const ContactPath<dim> &path,
-        const double travel) override;
+        const BladeMotion &motion) override;
 
   double
   end() const override;

@@ -52,6 +52,11 @@ describe_arrest(const Scene<dim> &scene,
                 const Event &event,
                 const unsigned int n_rows);
 
+/** Of a blade that presses across the cut only, what the supports miss of its
+ * force. */
+std::optional<std::string>
+describe_unfelt_work(const BladeMotion &motion);
+
 /** The pieces that have lost their support, besides those `known` before. */
 template <int dim>
 std::vector<std::string>

@@ -49,7 +49,7 @@ public:
         CutContact<dim> &contact,
         const unsigned int row,
         const ContactPath<dim> &path,
-        const double travel) = 0;
+        const BladeMotion &motion) = 0;
 
   /** Up to which travel the contacts hold that are looked at besides the
    * path's. */

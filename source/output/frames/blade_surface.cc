@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/output/frames/blade_surface.h>
 
+#include <algorithm>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -10,8 +12,9 @@ namespace
 /** The cross section from one end of the blade around the edge to the other
  * one: distance behind the edge, and across the cut. */
 std::vector<std::array<double, 2>>
-outline(const BladeProfile &profile, const double length)
+outline(const BladeProfile &profile, const double shown)
 {
+  const double length                     = std::min(shown, profile.length);
   std::vector<std::array<double, 2>> half = {{{0., 0.}}};
   for (const auto &facet : profile.facets)
     if (facet.begin < length)

@@ -161,6 +161,12 @@ add_motion(std::vector<StatisticsColumn> &columns)
       "L^2",
       "On which the flanks press, both together.",
       &BladeMotion::contact_area);
+  add(
+    "shift",
+    "L",
+    "How far a blade with Guide = free has shifted sideways, towards the side "
+    "that the cut's normal points to.",
+    &BladeMotion::shift);
   add("work",
       "F L",
       "The work of the blade since the run began.",

@@ -117,7 +117,7 @@ namespace
 /** Where the edge is on its way, and how long it is: as long as the cut. */
 template <int dim>
 BladePlace<dim>
-place_of_blade(const CutBody<dim> &body, const double travel)
+place_of_blade(const CutBody<dim> &body, const BladeMotion &motion)
 {
   const auto &edge  = body.cut().edge;
   const auto &pairs = body.seam().pairs();
@@ -132,7 +132,7 @@ place_of_blade(const CutBody<dim> &body, const double travel)
   const Point<dim> entry =
     pairs[body.seam().rows().front().front.front()].position;
   const double depth =
-    travel - (edge.travel(entry) - travels_of_pairs(pairs, edge)[0]);
+    motion.travel - (edge.travel(entry) - travels_of_pairs(pairs, edge)[0]);
   std::array<double, 2> ends{{0., 0.}};
   for (const auto &pair : pairs)
     {
@@ -142,8 +142,9 @@ place_of_blade(const CutBody<dim> &body, const double travel)
   const double beyond = (ends[1] - ends[0]) / 10;
   for (unsigned int end = 0; end < 2; ++end)
     place.edge[end] = entry + depth * edge.direction +
+                      motion.shift * edge.normal +
                       (ends[end] + (end == 0 ? -beyond : beyond)) * along;
-  place.length = travel + body.mesh().extent() / 5;
+  place.length = motion.travel + body.mesh().extent() / 5;
   return place;
 }
 } // namespace
@@ -156,7 +157,7 @@ blade_of_state(const CutBody<dim> &body, const State<dim> &state)
   if (!state.motion || !state.blade.row)
     return nullptr;
   return std::make_shared<const VtuGrid>(blade_surface(
-    body.scene().blade.profile, place_of_blade(body, state.motion->travel)));
+    body.scene().blade.profile, place_of_blade(body, *state.motion)));
 }
 
 

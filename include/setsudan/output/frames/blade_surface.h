@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/base/tensor.h>
+#include <deal.II/base/point.h>
 
 #include <setsudan/blade/blade_profile.h>
 #include <setsudan/output/frames/vtu.h>

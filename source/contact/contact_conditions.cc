@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/contact/contact_path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+bool
+ContactPath<dim>::Condition::is_same(const Condition &other) const
+{
+  return kind == other.kind && place == other.place &&
+         (kind != Kind::flank || wall == other.wall);
+}
+
+
+
+template <int dim>
+unsigned int
+ContactPath<dim>::place_of_hat(
+  const unsigned int hat,
+  const Wall wall,
+  const typename ContactBasis<dim>::Component component) const
+{
+  return place_of[basis.vector_of_hat(hat, wall, component)];
+}
+
+
+
+template <int dim>
+typename ContactPath<dim>::Condition
+ContactPath<dim>::flank_condition(const unsigned int h, const Wall wall) const
+{
+  using Component = typename ContactBasis<dim>::Component;
+  const auto &hat = basis.hats()[h];
+  const auto &[begin, half_thickness, slope] = profile.facets[facet(h, wall)];
+  const double mu =
+    sliding.friction / std::sqrt(1 + sliding.slice * sliding.slice);
+  const double tilt          = profile.presses_across ? 0. : slope;
+  const double length        = std::sqrt(1 + tilt * tilt);
+  const double rubbed        = mu * sliding.slice * length;
+  const unsigned int outward = place_of_hat(h, wall, Component::outward);
+  const unsigned int along   = place_of_hat(h, wall, Component::along);
+  const unsigned int aside =
+    sliding.rubs_aside() ? place_of_hat(h, wall, Component::aside) : along;
+  Condition condition;
+  condition.kind     = Kind::flank;
+  condition.place    = h;
+  condition.wall     = wall;
+  condition.measured = {{{outward, 1.}, {along, tilt}, {along, 0.}}};
+  condition.exerted  = {
+     {{outward, 1 - mu * tilt}, {along, tilt + mu}, {aside, rubbed}}};
+  condition.across = wall == Wall::plus ? -hat.across : hat.across;
+  condition.constant =
+    hat.area * (half_thickness - slope * (begin + hat.depth));
+  condition.per_travel  = hat.area * slope;
+  condition.force       = hat.area * (slope + mu);
+  condition.unfelt      = hat.area * (slope - tilt);
+  condition.friction    = hat.area * mu;
+  condition.aside       = hat.area * rubbed;
+  condition.dissipation = {
+    {hat.area * mu * length * length, hat.area * rubbed}};
+  return condition;
+}
+
+
+
+template <int dim>
+typename ContactPath<dim>::Condition
+ContactPath<dim>::walls_condition(const unsigned int h) const
+{
+  using Component          = typename ContactBasis<dim>::Component;
+  const unsigned int minus = place_of_hat(h, Wall::minus, Component::outward);
+  const unsigned int plus  = place_of_hat(h, Wall::plus, Component::outward);
+  Condition condition;
+  condition.kind     = Kind::walls;
+  condition.place    = h;
+  condition.measured = {{{minus, 1.}, {plus, 1.}, {plus, 0.}}};
+  condition.exerted  = condition.measured;
+  return condition;
+}
+
+
+
+template <int dim>
+typename ContactPath<dim>::Condition
+ContactPath<dim>::edge_condition(const unsigned int node) const
+{
+  const unsigned int place = place_of[basis.vector_of_edge_node(node)];
+  const double drag        = sliding.drag();
+  const double way         = 1 + drag * drag;
+  Condition condition;
+  condition.kind       = Kind::edge;
+  condition.place      = node;
+  condition.measured   = {{{place, 1.}, {place, 0.}, {place, 0.}}};
+  condition.exerted    = condition.measured;
+  condition.constant   = -basis.edge_nodes()[node].depth * way;
+  condition.per_travel = way;
+  condition.force      = 1;
+  condition.aside      = drag;
+  return condition;
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::make_conditions()
+{
+  conditions.clear();
+  for (unsigned int h = 0; h < basis.hats().size(); ++h)
+    {
+      if (basis.hats()[h].row >= row)
+        continue;
+      bool may_meet = true;
+      if (!profile.facets.empty())
+        for (const Wall wall : {Wall::minus, Wall::plus})
+          {
+            conditions.push_back(flank_condition(h, wall));
+            may_meet = may_meet && profile.is_tip(facet(h, wall));
+          }
+      // Elsewhere the flanks keep the walls apart.
+      if (may_meet)
+        conditions.push_back(walls_condition(h));
+    }
+  for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
+    if (basis.edge_nodes()[n].row == row)
+      {
+        const unsigned int place = place_of[basis.vector_of_edge_node(n)];
+        // Nothing moves a node that is supported.
+        if (products(place, place) > 0)
+          conditions.push_back(edge_condition(n));
+      }
+  make_problem();
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::make_problem()
+{
+  const unsigned int n = conditions.size();
+  LinearInParameter required{Vector<double>(n), Vector<double>(n)};
+  std::vector<VectorSum> measured, exerted;
+  std::optional<SharedUnknown> blade;
+  if (!sliding.is_guided)
+    blade = {Vector<double>(n), Vector<double>(n), 0.};
+  double softest = std::numeric_limits<double>::min();
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      measured.push_back(conditions[i].measured);
+      exerted.push_back(conditions[i].exerted);
+      required.constant[i] = conditions[i].constant;
+      required.slope[i]    = conditions[i].per_travel;
+      for (const auto &[a, factor] : conditions[i].measured)
+        required.constant[i] -= factor * displacement_at_rest[a];
+      if (!blade || conditions[i].kind != Kind::flank)
+        continue;
+      // The unknown is how far it goes from where it rested.
+      const double across         = conditions[i].across;
+      const double area           = basis.hats()[conditions[i].place].area;
+      const auto &[out, pressure] = conditions[i].exerted[0];
+      required.constant[i] -= across * resting_shift;
+      blade->measured[i] = across;
+      blade->exerted[i]  = across * pressure;
+      softest = std::max(softest, products(out, out) / (area * area));
+    }
+  // Less than what any number of the results tells.
+  if (blade)
+    blade->stiffness = 1e-10 / softest;
+  problem = std::make_unique<Complementarity>(products,
+                                              std::move(measured),
+                                              std::move(exerted),
+                                              std::move(required),
+                                              std::move(blade));
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::remake_conditions()
+{
+  const auto others = std::move(conditions);
+  const auto active = std::move(piece.active);
+  make_conditions();
+  piece.active.assign(conditions.size(), false);
+  unsigned int o = 0;
+  // Both are in the order of the hats.
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    {
+      const auto same =
+        std::find_if(others.begin() + o, others.end(), [&](const auto &other) {
+          return conditions[i].is_same(other);
+        });
+      if (same != others.end())
+        {
+          o               = same - others.begin();
+          piece.active[i] = active[o];
+        }
+    }
+}
+
+
+
+#define INSTANTIATE(dim)                                                       \
+  template bool ContactPath<dim>::Condition::is_same(const Condition &) const; \
+  template unsigned int ContactPath<dim>::place_of_hat(                        \
+    const unsigned int,                                                        \
+    const Wall,                                                                \
+    const typename ContactBasis<dim>::Component) const;                        \
+  template void ContactPath<dim>::make_conditions();                           \
+  template void ContactPath<dim>::remake_conditions();
+
+INSTANTIATE(2)
+INSTANTIATE(3)
+
+#undef INSTANTIATE
+} // namespace Setsudan
