@@ -3,6 +3,8 @@
 
 #include <setsudan/simulation/split_search.h>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
