@@ -18,9 +18,12 @@ import tables
 
 LARGEST_RESIDUAL = 1e-8
 RESIDUALS = ("force_residual", "moment_residual")
-VECTORS = (
+# Components of a vector, and parts of one sum, some of which may be round-off.
+GROUPS = (
     ("reaction_x", "reaction_y", "reaction_z"),
     ("clamp_x", "clamp_y", "clamp_z"),
+    ("work", "surface_energy", "friction_energy", "excess_energy"),
+    ("opening_force", "opening_pull"),
 )
 TEXT = ("event", "row_pieces")
 NOT_COMPARED = ("seconds",) + RESIDUALS
@@ -36,7 +39,7 @@ def column_errors(lines, expected, tolerance):
             if not same:
                 yield f"{column} differs"
             continue
-        group = next((v for v in VECTORS if column in v), (column,))
+        group = next((v for v in GROUPS if column in v), (column,))
         scale = max(abs(float(line[c])) for line in expected for c in group)
         error = max(tables.relative_error(float(line[column]), float(other[column]), scale)
                     for line, other in zip(lines, expected))
