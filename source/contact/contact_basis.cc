@@ -25,7 +25,8 @@ template <int dim>
 class HatIntegrator
 {
 public:
-  HatIntegrator(const ElasticModel<dim> &model, const Seam<dim> &seam)
+  HatIntegrator(const ElasticModel<dim> &model,
+                const std::vector<NodePair<dim>> &pairs)
     : discretization(model.discretization)
     , linear(1)
     , gauss(discretization.n_gauss_points())
@@ -35,8 +36,8 @@ public:
              gauss,
              update_values | update_JxW_values)
   {
-    for (unsigned int p = 0; p < seam.pairs().size(); ++p)
-      pair_of[seam.pairs()[p].minus[0]] = p;
+    for (unsigned int p = 0; p < pairs.size(); ++p)
+      pair_of[pairs[p].minus[0]] = p;
   }
 
   /** Add the part of a face of an element on the minus side. */
@@ -89,39 +90,15 @@ sum_over_processes(const HatWeights &weights, const MPI_Comm communicator)
 
 
 
-/** The row of each pair, and beyond the last one for pairs of none. */
+/** The weights of a cut's nodes. */
 template <int dim>
-std::vector<unsigned int>
-rows_of_pairs(const Seam<dim> &seam)
+HatWeights
+hat_weights(const ElasticModel<dim> &model, const CutFaces<dim> &cut)
 {
-  std::vector<unsigned int> rows(seam.pairs().size(), seam.rows().size());
-  for (unsigned int row = 0; row < seam.rows().size(); ++row)
-    for (const unsigned int pair : seam.rows()[row].pairs)
-      rows[pair] = row;
-  return rows;
-}
-} // namespace
-
-
-template <int dim>
-ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
-                                const CutSurface<dim> &surface,
-                                const Seam<dim> &seam,
-                                const BladeEdge<dim> &edge,
-                                const SlidingBlade &sliding)
-  : sliding(sliding)
-  , mpi_communicator(model.discretization.communicator)
-{
-  const auto &pairs   = seam.pairs();
-  const double entry  = travels_of_pairs(pairs, edge)[0];
-  const auto depth_of = [&](const unsigned int pair) {
-    return edge.travel(pairs[pair].position) - entry;
-  };
-
   std::multimap<unsigned int, unsigned int> faces;
-  for (const auto &face : surface)
+  for (const auto &face : cut.surface)
     faces.insert(face.minus);
-  HatIntegrator<dim> integrator(model, seam);
+  HatIntegrator<dim> integrator(model, cut.pairs);
   const auto &discretization = model.discretization;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     {
@@ -141,9 +118,44 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
             integrator.add(cell, face);
         }
     }
+  return sum_over_processes(integrator.weights, discretization.communicator);
+}
+
+
+
+/** The row of each pair, and beyond the last one for pairs of none. */
+template <int dim>
+std::vector<unsigned int>
+rows_of_pairs(const Seam<dim> &seam)
+{
+  std::vector<unsigned int> rows(seam.pairs().size(), seam.rows().size());
+  for (unsigned int row = 0; row < seam.rows().size(); ++row)
+    for (const unsigned int pair : seam.rows()[row].pairs)
+      rows[pair] = row;
+  return rows;
+}
+} // namespace
+
+
+template <int dim>
+ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
+                                const CutSurface<dim> &surface,
+                                const Seam<dim> &seam,
+                                const BladeEdge<dim> &edge,
+                                const SlidingBlade &sliding,
+                                const std::vector<CutFaces<dim>> &earlier)
+  : sliding(sliding)
+  , mpi_communicator(model.discretization.communicator)
+{
+  const auto &pairs   = seam.pairs();
+  const double entry  = travels_of_pairs(pairs, edge)[0];
+  const auto depth_of = [&](const unsigned int pair) {
+    return edge.travel(pairs[pair].position) - entry;
+  };
+
   const auto rows = rows_of_pairs(seam);
   for (const auto &[corner, weights] :
-       sum_over_processes(integrator.weights, discretization.communicator))
+       hat_weights(model, {surface, seam.pairs()}))
     if (pairs[corner].is_double())
       {
         Hat hat{
@@ -168,6 +180,32 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
           all_edge_nodes.push_back({pair, row, seam.rows()[row].depth});
     }
   make_vectors(seam, edge);
+  for (const auto &cut : earlier)
+    add_earlier_walls(model, cut);
+}
+
+
+
+template <int dim>
+void
+ContactBasis<dim>::add_earlier_walls(const ElasticModel<dim> &model,
+                                     const CutFaces<dim> &cut)
+{
+  for (const auto &[corner, weights] : hat_weights(model, cut))
+    {
+      if (!cut.pairs[corner].is_double())
+        continue;
+      UnknownForces vector;
+      for (const auto &[p, weight] : weights)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const auto &pair   = cut.pairs[p];
+            const double apart = weight * pair.normal[c];
+            vector.emplace_back(pair.plus[c], apart);
+            vector.emplace_back(pair.minus[c], -apart);
+          }
+      all_vectors.push_back(vector);
+    }
 }
 
 

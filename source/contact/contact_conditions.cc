@@ -88,6 +88,22 @@ ContactPath<dim>::walls_condition(const unsigned int h) const
 
 template <int dim>
 typename ContactPath<dim>::Condition
+ContactPath<dim>::earlier_walls_condition(const unsigned int corner) const
+{
+  const unsigned int place =
+    place_of[basis.first_vector_of_earlier_corners() + corner];
+  Condition condition;
+  condition.kind     = Kind::walls;
+  condition.place    = basis.hats().size() + corner;
+  condition.measured = {{{place, 1.}, {place, 0.}, {place, 0.}}};
+  condition.exerted  = condition.measured;
+  return condition;
+}
+
+
+
+template <int dim>
+typename ContactPath<dim>::Condition
 ContactPath<dim>::edge_condition(const unsigned int node) const
 {
   const unsigned int place = place_of[basis.vector_of_edge_node(node)];
@@ -135,6 +151,13 @@ ContactPath<dim>::make_conditions()
         if (products(place, place) > 0)
           conditions.push_back(edge_condition(n));
       }
+  for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
+    {
+      const unsigned int place =
+        place_of[basis.first_vector_of_earlier_corners() + i];
+      if (products(place, place) > 0)
+        conditions.push_back(earlier_walls_condition(i));
+    }
   make_problem();
 }
 

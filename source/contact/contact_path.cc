@@ -42,6 +42,8 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
     if (basis.edge_nodes()[n].row == row)
       use(basis.vector_of_edge_node(n));
+  for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
+    use(basis.first_vector_of_earlier_corners() + i);
   const unsigned int loads = basis.vectors().size();
   products.reinit(used.size());
   for (unsigned int j = 0; j < used.size(); ++j)

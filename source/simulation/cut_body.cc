@@ -278,6 +278,18 @@ CutBody<dim>::walls() const
 
 
 template <int dim>
+std::vector<CutFaces<dim>>
+CutBody<dim>::earlier_cuts() const
+{
+  std::vector<CutFaces<dim>> cuts;
+  for (unsigned int c = 0; c < finished_pairs.size(); ++c)
+    cuts.push_back({begun_cuts[c].surface, finished_pairs[c]});
+  return cuts;
+}
+
+
+
+template <int dim>
 BladeLoad<dim>
 CutBody<dim>::blade_on_row(const unsigned int row) const
 {

@@ -113,8 +113,15 @@ CutBody<dim>::stages() const
     severed.all_held() &&
     (the_scene.blade.travels || !the_scene.yield.compares_energies());
   stages.interface_unknowns = [this] {
-    return newest_seam->coupled_indices(
+    IndexSet unknowns = newest_seam->coupled_indices(
       present_model->discretization.dof_handler.n_dofs());
+    // Walls of earlier cuts may meet where a blade presses by contact.
+    if (the_scene.blade.travels)
+      for (const auto &pairs : finished_pairs)
+        for (const auto &pair : pairs)
+          for (const auto *side : {&pair.minus, &pair.plus})
+            unknowns.add_indices(side->begin(), side->end());
+    return unknowns;
   };
   stages.without_ties = [this] {
     auto constraints = constraints_without_seam();

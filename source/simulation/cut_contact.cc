@@ -30,7 +30,8 @@ CutContact<dim>::CutContact(CutBody<dim> &body, const BladeProfile &profile)
           body.surface(),
           body.seam(),
           body.cut().edge,
-          body.scene().blade.sliding)
+          body.scene().blade.sliding,
+          body.earlier_cuts())
   // With all rows split, which says whether all that is cut is held.
   , solver(body.condensed_solver(body.seam().rows().size()))
   , step(1e-9 * shortest_row(body.seam().rows(), body.mesh().extent()))

@@ -12,6 +12,14 @@
 
 namespace Setsudan
 {
+/** The faces of a cut and their node pairs. */
+template <int dim>
+struct CutFaces
+{
+  const CutSurface<dim> &surface;
+  const std::vector<NodePair<dim>> &pairs;
+};
+
 /**
  * The vectors of which the conditions of contact at a cut are made, each a
  * combination of unknowns: as a row it gives a mean displacement, as a force it
@@ -74,13 +82,15 @@ public:
   /** The same on all processes.
    *
    * @param surface the faces of the cut.
+   * @param earlier the cuts before it, whose walls may meet.
    * @param sliding whether there is a component aside, and how far the edge
    * drags the front. */
   ContactBasis(const ElasticModel<dim> &model,
                const CutSurface<dim> &surface,
                const Seam<dim> &seam,
                const BladeEdge<dim> &edge,
-               const SlidingBlade &sliding);
+               const SlidingBlade &sliding,
+               const std::vector<CutFaces<dim>> &earlier);
 
   MPI_Comm
   communicator() const
@@ -119,6 +129,19 @@ public:
     return sliding.rubs_aside() ? 6 : 4;
   }
 
+  /** The vectors of the corners of earlier cuts, each of which measures how far
+   * the walls are apart there, are so many from the first one on. */
+  unsigned int
+  n_earlier_corners() const
+  {
+    return all_vectors.size() - first_vector_of_earlier_corners();
+  }
+  unsigned int
+  first_vector_of_earlier_corners() const
+  {
+    return vector_of_edge_node(all_edge_nodes.size());
+  }
+
   const std::vector<UnknownForces> &
   vectors() const
   {
@@ -128,6 +151,8 @@ public:
 private:
   void
   make_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
+  void
+  add_earlier_walls(const ElasticModel<dim> &model, const CutFaces<dim> &cut);
 
   const SlidingBlade sliding;
   const MPI_Comm mpi_communicator;

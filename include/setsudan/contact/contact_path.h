@@ -202,6 +202,8 @@ private:
   Condition
   walls_condition(const unsigned int hat) const;
   Condition
+  earlier_walls_condition(const unsigned int corner) const;
+  Condition
   edge_condition(const unsigned int node) const;
 
   /** Make the conditions for the facets as they are. */

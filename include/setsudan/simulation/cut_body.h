@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/contact/contact_basis.h>
 #include <setsudan/cut/seam/blade_load.h>
 #include <setsudan/cut/seam/severed_parts.h>
 #include <setsudan/cut/seam/sides.h>
@@ -128,6 +129,10 @@ public:
   {
     return begun_cuts.back().surface;
   }
+
+  /** The faces and node pairs of the cuts before it. */
+  std::vector<CutFaces<dim>>
+  earlier_cuts() const;
 
   /** The seam of the newest cut, and its pairs' states now. */
   const Seam<dim> &
