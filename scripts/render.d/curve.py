@@ -27,7 +27,7 @@ def plot_curve(run, title, name):
             lines = [line for line in run.statistics
                      if line["cut"] == cut and line["event"] in ("deform", "release")]
             if lines:
-                plot_parts(axes, lines)
+                plot_parts(axes, run, lines)
                 mark(axes, run, cut, lines)
                 mark_steady(axes, run, yields_of(run, cut))
             axes.set_ylabel(label("force", run, "Force unit"))
@@ -47,7 +47,7 @@ def plot_together(runs, name):
         for run in runs:
             yields = yields_of(run, run.cuts[0])
             axes.step([0.0] + [line["travel"] for line in yields],
-                      [0.0] + [line["mean_force"] for line in yields], where="pre",
+                      [0.0] + [mean_push(run, line) for line in yields], where="pre",
                       linewidth=1, label=run.name())
         axes.set_xlim(left=0)
         axes.set_ylim(bottom=0)
@@ -60,23 +60,58 @@ def plot_together(runs, name):
         plt.close(figure)
 
 
+def mean_push(run, line):
+    """The mean force along the blade's direction: mean_force has the work of a blade
+    that slices in it too."""
+    return line["mean_force"] * share_of_push(run, line)
+
+
 def yields_of(run, cut):
     """The states in which rows yield."""
     return [line for line in run.statistics
             if line["cut"] == cut and line["event"] == "deform"]
 
 
-def plot_parts(axes, lines):
-    """Between two events the force is drawn as a line: where contacts change it has
-    corners there."""
-    travel = [0.0] + [line["travel"] for line in lines]
-    axes.stackplot(travel, *([0.0] + [part(line) for line in lines]
-                             for _, _, part in PARTS),
+def share_of_push(run, line):
+    """Of the blade's work, that of the force along its direction."""
+    slice_push = float(run.parameters.get("Blade/Slice-push ratio", 0))
+    push, aside = line["blade_force"], slice_push * line["force_along"]
+    return push / (push + aside) if push + aside > 0 else 1.0
+
+
+def with_feet(run, lines):
+    """Travels and lines of a curve. An event leaves the blade with little force, which
+    begins to rise where the area below is the work until the next one."""
+    begin = {**dict.fromkeys(lines[0], 0.0), "work": work_before(run, lines[0])}
+    travels, shown = [0.0], [begin]
+    for before, line in zip([begin, *lines], lines):
+        moved, rise = (line[name] - before[name] for name in ("travel", "blade_force"))
+        if moved > 0 and rise > 0:
+            work = (line["work"] - before["work"]) * share_of_push(run, line)
+            foot = line["travel"] - 2 * (work - before["blade_force"] * moved) / rise
+            travels.append(min(max(before["travel"], foot), line["travel"]))
+            shown.append(before)
+        travels.append(line["travel"])
+        shown.append(line)
+    return travels, shown
+
+
+def work_before(run, line):
+    """The work when the cut of a line began."""
+    earlier = [other["work"] for other in run.statistics if other["cut"] < line["cut"]]
+    return earlier[-1] if earlier else 0.0
+
+
+def plot_parts(axes, run, lines):
+    """Between two events the force is drawn with one corner, so that the area is the
+    work; it has one wherever contacts change."""
+    travels, shown = with_feet(run, lines)
+    axes.stackplot(travels, *([part(line) for line in shown] for _, _, part in PARTS),
                    labels=[text for text, _, _ in PARTS],
                    colors=[colour for _, colour, _ in PARTS], alpha=0.55)
     yields = [line for line in lines if line["event"] == "deform"]
     axes.step([line["travel"] for line in yields],
-              [line["mean_force"] for line in yields], "k-", where="pre",
+              [mean_push(run, line) for line in yields], "k-", where="pre",
               linewidth=1.2, label="mean")
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
@@ -106,7 +141,8 @@ def mark_steady(axes, run, yields):
     if len(middle) < 3:
         return
     begin, end = middle[0], middle[-1]
-    force = (end["work"] - begin["work"]) / (end["travel"] - begin["travel"])
+    force = ((end["work"] - begin["work"]) / (end["travel"] - begin["travel"]) *
+             share_of_push(run, end))
     axes.plot([begin["travel"], end["travel"]], [force, force], "k--", linewidth=1)
     axes.annotate("mean " + with_unit(force, run, "Force unit"),
                   (end["travel"], force), xytext=(0, 2), va="bottom", ha="right",

@@ -94,7 +94,10 @@ Simulation<dim>::make_cut(const unsigned int cut)
     return true;
   if (scene.needs_seam())
     {
-      state = solve(body.blade_on_row(0), 1);
+      const auto motion = state.motion;
+      state             = solve(body.blade_on_row(0), 1);
+      // What a blade that travels has done in earlier cuts.
+      state.motion = motion;
       split_nodes();
     }
   deform(0);

@@ -142,7 +142,8 @@ add_motion(std::vector<StatisticsColumn> &columns)
            "F",
            "The blade's work over its travel, from the event "
            "before in which it was elsewhere: the force between "
-           "two events rises and falls with the elements.",
+           "two events rises and falls with the elements. The work of a blade "
+           "that slices is that along its edge, too.",
            &Event::mean_force));
   add("edge_force",
       "F",
