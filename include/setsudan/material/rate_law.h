@@ -5,7 +5,8 @@
 
 namespace Setsudan
 {
-/** How toughness and limits of stress depend on the speed v of the front: times 1 + (v / v0)^n. */
+/** How toughness and limits of stress depend on the speed v of the front: times
+ * 1 + (v / v0)^n. */
 struct RateLaw
 {
   /** n; 0 if it does not. */
