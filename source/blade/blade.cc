@@ -9,32 +9,11 @@ namespace Setsudan
 {
 using namespace dealii;
 
-template <int dim>
-void
-BladeParameters<dim>::declare(ParameterHandler &handler)
+namespace
 {
-  Setsudan::declare(handler,
-                    "Blade",
-                    "Sharpness",
-                    "0.5",
-                    Patterns::Double(),
-                    "From 0 (the whole shear limit is required) to 1 (the "
-                    "blade needs no force) [-].");
-  Setsudan::declare(handler,
-                    "Blade",
-                    "Thickness",
-                    "0.2",
-                    Patterns::Double(),
-                    "How far the blade moves the two sides of the cut apart, "
-                    "at least 0 [length].");
-  Setsudan::declare(
-    handler,
-    "Blade",
-    "Drive",
-    "force",
-    Patterns::Selection("force|travel"),
-    "force: Edge loads act on the front; travel: the edge moves "
-    "along Direction, and the force is the reaction.");
+void
+declare_body(ParameterHandler &handler)
+{
   Setsudan::declare(handler,
                     "Blade",
                     "Shape",
@@ -75,6 +54,13 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     "fixed: the blade keeps to the middle of the cut; free: it "
                     "shifts sideways until the walls press on both flanks "
                     "alike.");
+}
+
+
+
+void
+declare_sliding(ParameterHandler &handler)
+{
   Setsudan::declare(handler,
                     "Blade",
                     "Friction",
@@ -106,6 +92,38 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
     Patterns::Anything(),
     "The friction with which the edge drags the front along as it "
     "slices; empty: it drags it all the way [-].");
+}
+} // namespace
+
+
+template <int dim>
+void
+BladeParameters<dim>::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Sharpness",
+                    "0.5",
+                    Patterns::Double(),
+                    "From 0 (the whole shear limit is required) to 1 (the "
+                    "blade needs no force) [-].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Thickness",
+                    "0.2",
+                    Patterns::Double(),
+                    "How far the blade moves the two sides of the cut apart, "
+                    "at least 0 [length].");
+  Setsudan::declare(
+    handler,
+    "Blade",
+    "Drive",
+    "force",
+    Patterns::Selection("force|travel"),
+    "force: Edge loads act on the front; travel: the edge moves "
+    "along Direction, and the force is the reaction.");
+  declare_body(handler);
+  declare_sliding(handler);
   Setsudan::declare(handler,
                     "Blade",
                     "Direction",

@@ -111,19 +111,24 @@ columns_of_cut()
            &Event::required_stress)};
 }
 
-/** Where a blade that travels is, and what it has done. */
+StatisticsColumn
+column(const std::string &name,
+       const std::string &unit,
+       const std::string &meaning,
+       double BladeMotion::*const member)
+{
+  return {name, unit, meaning, [=](const Event &event) {
+            return digits_of(event.motion.value_or(BladeMotion()).*member,
+                             all_digits);
+          }};
+}
+
+/** Where a blade that travels is, and its forces. */
 void
 add_motion(std::vector<StatisticsColumn> &columns)
 {
-  const auto add = [&](const std::string &name,
-                       const std::string &unit,
-                       const std::string &meaning,
-                       double BladeMotion::*const member) {
-    columns.push_back({name, unit, meaning, [=](const Event &event) {
-                         return digits_of(event.motion.value_or(BladeMotion()).*
-                                            member,
-                                          all_digits);
-                       }});
+  const auto add = [&](const auto &...of_column) {
+    columns.push_back(column(of_column...));
   };
   add(
     "travel",
@@ -168,6 +173,15 @@ add_motion(std::vector<StatisticsColumn> &columns)
     "How far a blade with Guide = free has shifted sideways, towards the side "
     "that the cut's normal points to.",
     &BladeMotion::shift);
+}
+
+/** What a blade that travels has done. */
+void
+add_energies(std::vector<StatisticsColumn> &columns)
+{
+  const auto add = [&](const auto &...of_column) {
+    columns.push_back(column(of_column...));
+  };
   add("work",
       "F L",
       "The work of the blade since the run began.",
@@ -176,7 +190,8 @@ add_motion(std::vector<StatisticsColumn> &columns)
     "surface_energy",
     "F L",
     "What the new surface has taken: toughness times area, less the part that "
-    "Blade/Sharpness makes up for.",
+    "Blade/Sharpness makes up for; with a criterion of stress all that its "
+    "splits set free besides friction.",
     &BladeMotion::surface_energy);
   add("friction_energy",
       "F L",
@@ -289,7 +304,10 @@ statistics_columns(const bool has_errors, const bool travels)
                      "'+'.",
                      pieces_of_row});
   if (travels)
-    add_motion(columns);
+    {
+      add_motion(columns);
+      add_energies(columns);
+    }
   else
     add_opening(columns);
   if (has_errors)
