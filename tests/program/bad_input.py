@@ -141,6 +141,15 @@ def travel():
     for base in (SCENE, PLANE_SCENE):
         for path, value, allowed, *also in WRONG_TRAVEL:
             yield wrong_value(path, value, allowed, {**base, **TRAVEL}, *also)
+    # What nothing holds the blade would push away; results have begun by then.
+    yield Case(
+        "a side that nothing holds",
+        ["scene.prm"],
+        {"scene.prm": scene_text({**SCENE, **TRAVEL, "Support/Fixed faces": "front"})[0]},
+        1,
+        ["frees a part that nothing holds", "Support"],
+        checks=[lambda *_: []],
+    )
 
 
 def cases(group):

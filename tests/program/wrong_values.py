@@ -298,7 +298,6 @@ WRONG_TRAVEL = [
     ("Blade/Shoulder radius", "1e3", "no length left"),
     ("Blade/Shape", "axe", PATTERN),
     ("Blade/Edge loads", "0:1", "nothing, since the force is the reaction"),
-    ("Yield/Criterion", "maximum shear", "energy release where Blade/Drive"),
     ("Yield/Check", "once", "every row where Blade/Drive"),
     ("Division/Load control", "ramp", "constant where Blade/Drive"),
     ("Division/Solve", "every row anew", "auto or condensed where Blade/Drive"),
