@@ -15,7 +15,7 @@ namespace
 /** What is violated by less is round-off, relative to the largest. */
 constexpr double round_off = 1e-13;
 
-/** Of each contact, relative to the body's: too little to be seen. */
+/** Of a redundant condition, relative to the body's: too little to be seen. */
 constexpr double compliance = 1e-12;
 
 /** @param b of the same size. */
@@ -33,13 +33,17 @@ Complementarity::Complementarity(const LAPACKFullMatrix<double> &G,
                                  std::vector<VectorSum> rows,
                                  std::vector<VectorSum> forces,
                                  LinearInParameter b,
-                                 std::optional<SharedUnknown> unknown)
+                                 std::optional<SharedUnknown> unknown,
+                                 const std::vector<unsigned int> redundant)
   : products(G)
   , measured(std::move(rows))
   , exerted(std::move(forces))
   , required(std::move(b))
   , shared(std::move(unknown))
+  , own_compliance(size(), 0.)
 {
+  for (const unsigned int i : redundant)
+    own_compliance[i] = compliance;
   AssertDimension(products.m(), products.n());
   AssertDimension(measured.size(), required.constant.size());
   AssertDimension(exerted.size(), required.constant.size());
@@ -75,11 +79,8 @@ Complementarity::solve(const ActiveSet &active,
       for (const auto &[a, factor] : measured[indices[i]])
         for (const auto &[b, other] : exerted[indices[j]])
           block(i, j) += factor * other * products(a, b);
-  // Where both flanks and the opposite wall touch a wall one of three
-  // conditions follows from the others; a little compliance tells their
-  // multipliers apart.
   for (unsigned int i = 0; i < n; ++i)
-    block(i, i) *= 1 + compliance;
+    block(i, i) *= 1 + own_compliance[indices[i]];
   if (shared)
     {
       for (unsigned int i = 0; i < n; ++i)

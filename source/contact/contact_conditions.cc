@@ -170,6 +170,8 @@ ContactPath<dim>::make_problem()
   const unsigned int n = conditions.size();
   LinearInParameter required{Vector<double>(n), Vector<double>(n)};
   std::vector<VectorSum> measured, exerted;
+  // Where both flanks touch, whether the walls do follows from that.
+  std::vector<unsigned int> redundant;
   std::optional<SharedUnknown> blade;
   if (!sliding.is_guided)
     blade = {Vector<double>(n), Vector<double>(n), 0.};
@@ -182,6 +184,8 @@ ContactPath<dim>::make_problem()
       required.slope[i]    = conditions[i].per_travel;
       for (const auto &[a, factor] : conditions[i].measured)
         required.constant[i] -= factor * displacement_at_rest[a];
+      if (conditions[i].kind == Kind::walls)
+        redundant.push_back(i);
       if (!blade || conditions[i].kind != Kind::flank)
         continue;
       // The unknown is how far it goes from where it rested.
@@ -200,7 +204,8 @@ ContactPath<dim>::make_problem()
                                               std::move(measured),
                                               std::move(exerted),
                                               std::move(required),
-                                              std::move(blade));
+                                              std::move(blade),
+                                              std::move(redundant));
 }
 
 

@@ -102,12 +102,15 @@ public:
   };
 
   /** @param products G, which must live as long.
-   * @param shared if there is one. */
+   * @param shared if there is one.
+   * @param redundant the conditions that may follow from others; each has a
+   *   little compliance of its own, which tells their multipliers apart. */
   Complementarity(const dealii::LAPACKFullMatrix<double> &products,
                   std::vector<VectorSum> measured,
                   std::vector<VectorSum> exerted,
                   LinearInParameter required,
-                  std::optional<SharedUnknown> shared = {});
+                  std::optional<SharedUnknown> shared = {},
+                  std::vector<unsigned int> redundant = {});
 
   unsigned int
   size() const;
@@ -172,5 +175,6 @@ private:
   const std::vector<VectorSum> exerted;
   const LinearInParameter required;
   const std::optional<SharedUnknown> shared;
+  std::vector<double> own_compliance;
 };
 } // namespace Setsudan

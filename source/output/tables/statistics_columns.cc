@@ -298,6 +298,8 @@ statistics_columns(const bool has_errors, const bool travels)
                            "other, at most; without contact nothing prevents "
                            "it.",
                            &Event::overlap));
+  if (!travels)
+    add_opening(columns);
   columns.push_back({"row_pieces",
                      "-",
                      "The pieces in which the front of the row lies, joined by "
@@ -308,8 +310,6 @@ statistics_columns(const bool has_errors, const bool travels)
       add_motion(columns);
       add_energies(columns);
     }
-  else
-    add_opening(columns);
   if (has_errors)
     {
       columns.push_back(
