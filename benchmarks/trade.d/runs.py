@@ -127,11 +127,11 @@ def measured(scene, choice, limit=LIMIT):
         lambda: dataclasses.asdict(run(scene, choice, limit)), STORE))
 
 
-def scene_text(scene, settings):
-    """The scene's file with other values, which are not merely added: those of three
+def scene_text(name, settings):
+    """A scene's file with other values, which are not merely added: those of three
     dimensions are none of two."""
     lines, subsection, missing = [], [], dict(settings)
-    for line in (HERE / f"{scene.name}.prm").read_text().splitlines():
+    for line in (HERE / f"{name}.prm").read_text().splitlines():
         words = line.split("=", 1)[0].split()
         if words[:1] == ["subsection"]:
             subsection.append(" ".join(words[1:]))
@@ -154,7 +154,7 @@ def run(scene, choice, limit=LIMIT):
     with tempfile.TemporaryDirectory() as directory:
         settings = choice.settings(scene)
         path = pathlib.Path(directory) / "scene.prm"
-        path.write_text(scene_text(scene, settings))
+        path.write_text(scene_text(scene.name, settings))
         command = [str(ROOT / "build" / "setsudan"), str(path), "--output", directory]
         event, refusal = measure.watched(
             command, directory, lambda events: event_at(events, scene.depth), limit)

@@ -2,6 +2,7 @@
 """What may be left out where a blade travels, and at what price."""
 
 import pathlib
+import tempfile
 
 import measure
 import report
@@ -37,7 +38,10 @@ CHOICES = {
 def run(values):
     """Seconds, and force of the first row and mean force in the middle half of the cut,
     for each width."""
-    result = measure.program(SCENE, values)
+    with tempfile.TemporaryDirectory() as directory:
+        scene = pathlib.Path(directory) / "scene.prm"
+        scene.write_text(runs.scene_text(SCENE.stem, values))
+        result = measure.program(scene, {})
     width = .0625 if values.get("Dimension") == 3 else 1
     yields = [{name: float(value) for name, value in line.items()
                if name in ("depth", "travel", "work", "blade_force")}
