@@ -2,6 +2,8 @@
 #include <setsudan/simulation/energy_split_search.h>
 #include <setsudan/simulation/stress_split_search.h>
 
+#include <limits>
+
 namespace Setsudan
 {
 template <int dim>
@@ -18,6 +20,32 @@ SplitSearch<dim>::make(const Scene<dim> &scene)
 template <int dim>
 SplitSearch<dim>::SplitSearch(const Scene<dim> &scene)
   : scene(scene)
+{
+}
+
+
+
+template <int dim>
+unsigned int
+SplitSearch<dim>::n_looked_ahead(CutBody<dim> &, const unsigned int) const
+{
+  return 1;
+}
+
+
+
+template <int dim>
+double
+SplitSearch<dim>::end() const
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+
+
+template <int dim>
+void
+SplitSearch<dim>::cross(const double)
 {
 }
 

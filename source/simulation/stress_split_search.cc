@@ -3,19 +3,9 @@
 #include <setsudan/simulation/stress_split_search.h>
 
 #include <cmath>
-#include <limits>
 
 namespace Setsudan
 {
-template <int dim>
-unsigned int
-StressSplitSearch<dim>::n_looked_ahead(CutBody<dim> &, const unsigned int) const
-{
-  return 1;
-}
-
-
-
 template <int dim>
 void
 StressSplitSearch<dim>::begin(CutBody<dim> &of_body,
@@ -29,23 +19,6 @@ StressSplitSearch<dim>::begin(CutBody<dim> &of_body,
   row      = of_row;
   path     = &of_path;
   is_asked = false;
-}
-
-
-
-template <int dim>
-double
-StressSplitSearch<dim>::end() const
-{
-  return std::numeric_limits<double>::infinity();
-}
-
-
-
-template <int dim>
-void
-StressSplitSearch<dim>::cross(const double)
-{
 }
 
 

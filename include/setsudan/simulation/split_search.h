@@ -36,9 +36,9 @@ public:
 
   virtual ~SplitSearch() = default;
 
-  /** How many rows may split at once. */
+  /** How many rows may split at once: one, unless a search says otherwise. */
   virtual unsigned int
-  n_looked_ahead(CutBody<dim> &body, const unsigned int row) const = 0;
+  n_looked_ahead(CutBody<dim> &body, const unsigned int row) const;
 
   /** Begin at a front.
    *
@@ -52,13 +52,13 @@ public:
         const BladeMotion &motion) = 0;
 
   /** Up to which travel the contacts hold that are looked at besides the
-   * path's. */
+   * path's; infinite where there are none. */
   virtual double
-  end() const = 0;
+  end() const;
 
-  /** Go on to the contacts that hold beyond a travel. */
+  /** Go on to those that hold beyond a travel. */
   virtual void
-  cross(const double travel) = 0;
+  cross(const double travel);
 
   /** The first split from where the blade is up to a travel, with the contacts
    * that hold now. */

@@ -19,21 +19,12 @@ class StressSplitSearch : public SplitSearch<dim>
 public:
   using SplitSearch<dim>::SplitSearch;
 
-  unsigned int
-  n_looked_ahead(CutBody<dim> &body, const unsigned int row) const override;
-
   void
   begin(CutBody<dim> &body,
         CutContact<dim> &contact,
         const unsigned int row,
         const ContactPath<dim> &path,
         const BladeMotion &motion) override;
-
-  double
-  end() const override;
-
-  void
-  cross(const double travel) override;
 
   std::optional<Split>
   first_split(const BladeMotion &motion, const double end) override;
