@@ -200,12 +200,13 @@ ContactPath<dim>::make_problem()
   // Less than what any number of the results tells.
   if (blade)
     blade->stiffness = 1e-10 / softest;
-  problem = std::make_unique<Complementarity>(products,
-                                              std::move(measured),
-                                              std::move(exerted),
-                                              std::move(required),
-                                              std::move(blade),
-                                              std::move(redundant));
+  problem =
+    std::make_unique<Complementarity>(products,
+                                      ContactConditions{std::move(measured),
+                                                        std::move(exerted),
+                                                        std::move(required),
+                                                        std::move(blade),
+                                                        std::move(redundant)});
 }
 
 
