@@ -14,7 +14,8 @@ bool
 ContactPath<dim>::Condition::is_same(const Condition &other) const
 {
   return kind == other.kind && place == other.place &&
-         (kind != Kind::flank || wall == other.wall);
+         (kind != Kind::flank || wall == other.wall) &&
+         direction == other.direction;
 }
 
 
@@ -158,6 +159,7 @@ ContactPath<dim>::make_conditions()
       if (products(place, place) > 0)
         conditions.push_back(earlier_walls_condition(i));
     }
+  add_board_conditions();
   make_problem();
 }
 
@@ -206,7 +208,9 @@ ContactPath<dim>::make_problem()
                                                         std::move(exerted),
                                                         std::move(required),
                                                         std::move(blade),
-                                                        std::move(redundant)});
+                                                        std::move(redundant),
+                                                        make_leaders(),
+                                                        make_foundation()});
 }
 
 

@@ -37,7 +37,7 @@ public:
 
 private:
   CutContact<dim> &
-  contact(CutBody<dim> &body);
+  contact(CutBody<dim> &body, const State<dim> &from);
 
   /** Follow the travel until rows split; nothing where that never happens. */
   std::optional<Split>
