@@ -17,7 +17,7 @@ namespace
 {
 /** How far from the board a face may be that comes to lie on it, as a part of
  * the body's height above it. */
-constexpr double reach = 0.1;
+constexpr double reach = 0.05;
 
 /** What is nearer to the board than this part of the body's extent lies on it.
  */

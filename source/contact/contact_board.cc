@@ -25,15 +25,21 @@ ContactPath<dim>::begin_grips(const std::vector<double> &measured,
                               const std::vector<double> &earlier)
 {
   constexpr unsigned int n_along = dim - 1;
+  places_before.assign(grips.size(), {});
   for (unsigned int i = 0; i < grips.size(); ++i)
     for (unsigned int c = 0; c < n_along; ++c)
-      if (earlier.size() == 2 * n_along * grips.size())
-        {
-          grips[i].anchor[c] = earlier[2 * (n_along * i + c)];
-          grips[i].slip[c]   = earlier[2 * (n_along * i + c) + 1];
-        }
-      else if (!measured.empty())
-        grips[i].anchor[c] = measured[basis.vector_of_board_corner(i, c + 1)];
+      {
+        if (!measured.empty())
+          places_before[i][c] =
+            measured[basis.vector_of_board_corner(i, c + 1)];
+        if (earlier.size() == 2 * n_along * grips.size())
+          {
+            grips[i].anchor[c] = earlier[2 * (n_along * i + c)];
+            grips[i].slip[c]   = earlier[2 * (n_along * i + c) + 1];
+          }
+        else
+          grips[i].anchor[c] = places_before[i][c];
+      }
 }
 
 
@@ -164,6 +170,18 @@ ContactPath<dim>::place_on_board(const unsigned int corner,
 
 
 template <int dim>
+std::vector<std::array<double, dim - 1>>
+ContactPath<dim>::places_on_board(const double travel) const
+{
+  std::vector<std::array<double, dim - 1>> places;
+  for (unsigned int i = 0; i < basis.n_board_corners(); ++i)
+    places.push_back(place_on_board(i, travel));
+  return places;
+}
+
+
+
+template <int dim>
 std::pair<unsigned int, unsigned int>
 ContactPath<dim>::grips_of(const unsigned int board) const
 {
@@ -198,7 +216,7 @@ ContactPath<dim>::excess_friction(const unsigned int board) const
 
 
 template <int dim>
-void
+bool
 ContactPath<dim>::let_slip(const unsigned int board, const double travel)
 {
   auto &grip              = grips[conditions[board].place];
@@ -209,21 +227,25 @@ ContactPath<dim>::let_slip(const unsigned int board, const double travel)
       const double friction                  = piece.multipliers(i, travel);
       grip.slip[conditions[i].direction - 1] = friction;
       sum += friction * friction;
-      piece.active[i] = false;
     }
+  if (sum == 0)
+    return false;
+  for (unsigned int i = begin; i < end; ++i)
+    piece.active[i] = false;
   for (double &component : grip.slip)
     component /= std::sqrt(sum);
+  return true;
 }
 
 
 
 template <int dim>
 void
-ContactPath<dim>::let_stick(const unsigned int board, const double travel)
+ContactPath<dim>::let_stick(const unsigned int board,
+                            const std::array<double, dim - 1> &place)
 {
-  const unsigned int corner = conditions[board].place;
-  grips[corner]             = {place_on_board(corner, travel), {}};
-  const auto [begin, end]   = grips_of(board);
+  grips[conditions[board].place] = {place, {}};
+  const auto [begin, end]        = grips_of(board);
   for (unsigned int i = begin; i < end; ++i)
     piece.active[i] = true;
 }
@@ -232,56 +254,77 @@ ContactPath<dim>::let_stick(const unsigned int board, const double travel)
 
 template <int dim>
 bool
-ContactPath<dim>::update_grips(const double travel, const bool may_stick)
+ContactPath<dim>::update_grip(const unsigned int board, const double travel)
 {
   // Of the square of the friction.
   constexpr double tolerance = 1e-9;
-  bool any                   = false;
+  // The way on counts where there is none from before to now.
+  const double step         = 1e3 * smallest_step;
+  const unsigned int corner = conditions[board].place;
+  const auto [begin, end]   = grips_of(board);
+  auto &slip                = grips[corner].slip;
+  const auto place          = place_on_board(corner, travel + step);
+  double forward = 0, way = 0;
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    {
+      const double moved = place[c] - places_before[corner][c];
+      forward += slip[c] * moved;
+      way += moved * moved;
+    }
+  if (grips[corner].slips())
+    {
+      // Friction acts against the way.
+      if (forward <= 0)
+        return false;
+      let_stick(board, places_before[corner]);
+      return true;
+    }
+  if (piece.active[begin])
+    {
+      const double most =
+        basis.board()->friction * piece.multipliers(board, travel);
+      return excess_friction(board)(travel) > tolerance * most * most &&
+             let_slip(board, travel);
+    }
+  // It has come to the board; if it would be torn off again where it sticks it
+  // slips.
+  if (n_changes[corner] == 0)
+    let_stick(board, place_on_board(corner, travel));
+  else
+    for (unsigned int c = 0; c + 1 < dim; ++c)
+      slip[c] =
+        way > 0 ? (places_before[corner][c] - place[c]) / std::sqrt(way) : 0.;
+  return n_changes[corner] == 0 || way > 0;
+}
+
+
+
+template <int dim>
+bool
+ContactPath<dim>::update_grips(const double travel)
+{
+  // Among many corners one may go to and fro.
+  constexpr unsigned int most_changes = 4;
+  bool any                            = false;
   if (basis.n_board_corners() == 0 || basis.board()->friction == 0)
     return any;
   for (unsigned int i = 0; i < conditions.size(); ++i)
     {
-      if (conditions[i].kind != Kind::board)
-        continue;
-      const auto [begin, end]   = grips_of(i);
       const unsigned int corner = conditions[i].place;
-      if (!piece.active[i])
-        {
-          any                = any || grips[corner].slips();
-          grips[corner].slip = {};
-          continue;
-        }
-      if (begin == end)
+      if (conditions[i].kind != Kind::board ||
+          grips_of(i).first == grips_of(i).second ||
+          n_changes[corner] == most_changes)
         continue;
-      if (grips[corner].slips())
+      bool changes = false;
+      if (piece.active[i])
+        changes = update_grip(i, travel);
+      else if (grips[corner].slips())
         {
-          const auto before = place_on_board(corner, travel);
-          const auto behind = place_on_board(corner, travel + 1);
-          double forward    = 0;
-          for (unsigned int c = 0; c + 1 < dim; ++c)
-            forward += grips[corner].slip[c] * (behind[c] - before[c]);
-          // Friction acts against the way.
-          if (may_stick && forward > 0)
-            {
-              let_stick(i, travel);
-              any = true;
-            }
+          grips[corner].slip = {};
+          changes            = true;
         }
-      else if (!piece.active[begin])
-        {
-          let_stick(i, travel);
-          any = true;
-        }
-      else
-        {
-          const double most =
-            basis.board()->friction * piece.multipliers(i, travel);
-          if (excess_friction(i)(travel) > tolerance * most * most)
-            {
-              let_slip(i, travel);
-              any = true;
-            }
-        }
+      n_changes[corner] += changes;
+      any = any || changes;
     }
   return any;
 }
@@ -310,7 +353,8 @@ ContactPath<dim>::end_at_slip(const double travel)
       if (excess.c[1] + 2 * travel * excess.c[2] <= 0 && excess(travel) >= 0)
         continue;
       const auto root = excess.first_root(travel, end);
-      if (root && *root < end_of_piece)
+      // A corner that comes off has neither pressure nor friction there.
+      if (root && *root < end_of_piece - smallest_step)
         {
           end_of_piece       = *root;
           slipping_condition = i;
@@ -390,28 +434,33 @@ ContactPath<dim>::board_force() const
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template void ContactPath<dim>::begin_grips(const std::vector<double> &,     \
-                                              const std::vector<double> &);    \
-  template void ContactPath<dim>::add_board_conditions();                      \
-  template std::optional<Foundation> ContactPath<dim>::make_foundation()       \
-    const;                                                                     \
-  template std::vector<unsigned int> ContactPath<dim>::make_leaders() const;   \
-  template std::array<double, dim - 1> ContactPath<dim>::place_on_board(       \
-    const unsigned int, const double) const;                                   \
-  template std::pair<unsigned int, unsigned int> ContactPath<dim>::grips_of(   \
-    const unsigned int) const;                                                 \
-  template void ContactPath<dim>::let_stick(const unsigned int, const double); \
-  template void ContactPath<dim>::let_slip(const unsigned int, const double);  \
-  template bool ContactPath<dim>::update_grips(const double, const bool);      \
-  template void ContactPath<dim>::end_at_slip(const double);                   \
-  template double ContactPath<dim>::board_dissipation(                         \
-    const Condition &,                                                         \
-    const std::array<double, dim - 1> &,                                       \
-    const std::array<double, dim - 1> &) const;                                \
-  template void ContactPath<dim>::add_board_friction_to(const ContactPath &,   \
-                                                        Quadratic &) const;    \
-  template std::vector<double> ContactPath<dim>::state_of_grips() const;       \
+#define INSTANTIATE(dim)                                                      \
+  template void ContactPath<dim>::begin_grips(const std::vector<double> &,    \
+                                              const std::vector<double> &);   \
+  template void ContactPath<dim>::add_board_conditions();                     \
+  template std::optional<Foundation> ContactPath<dim>::make_foundation()      \
+    const;                                                                    \
+  template std::vector<unsigned int> ContactPath<dim>::make_leaders() const;  \
+  template std::array<double, dim - 1> ContactPath<dim>::place_on_board(      \
+    const unsigned int, const double) const;                                  \
+  template std::pair<unsigned int, unsigned int> ContactPath<dim>::grips_of(  \
+    const unsigned int) const;                                                \
+  template void ContactPath<dim>::let_stick(                                  \
+    const unsigned int, const std::array<double, dim - 1> &);                 \
+  template std::vector<std::array<double, dim - 1>>                           \
+  ContactPath<dim>::places_on_board(const double) const;                      \
+  template bool ContactPath<dim>::let_slip(const unsigned int, const double); \
+  template bool ContactPath<dim>::update_grip(const unsigned int,             \
+                                              const double);                  \
+  template bool ContactPath<dim>::update_grips(const double);                 \
+  template void ContactPath<dim>::end_at_slip(const double);                  \
+  template double ContactPath<dim>::board_dissipation(                        \
+    const Condition &,                                                        \
+    const std::array<double, dim - 1> &,                                      \
+    const std::array<double, dim - 1> &) const;                               \
+  template void ContactPath<dim>::add_board_friction_to(const ContactPath &,  \
+                                                        Quadratic &) const;   \
+  template std::vector<double> ContactPath<dim>::state_of_grips() const;      \
   template Quadratic ContactPath<dim>::board_force() const;
 
 INSTANTIATE(2)

@@ -130,14 +130,16 @@ ContactPath<dim>::settle(const double travel)
 {
   // A wall that goes back and forth between two facets stays on the second one.
   constexpr unsigned int most_back = 20;
-  const unsigned int most          = most_back + profile.facets.size();
+  const unsigned int most =
+    most_back + profile.facets.size() + 4 * grips.size();
+  n_changes.assign(grips.size(), 0);
   for (unsigned int round = 0; round <= most; ++round)
     {
       take_piece(travel,
                  [&] { return problem->active_set(travel, piece.active); });
       const bool moves =
         update_facets(travel, 1e-2 * smallest_step, round < most_back);
-      const bool slips = update_grips(travel, round == 0);
+      const bool slips = update_grips(travel);
       if (!moves && !slips)
         return;
       remake_conditions();
@@ -202,10 +204,11 @@ ContactPath<dim>::begin(const BladeMotion &motion,
   resting_shift = motion.shift;
   if (neighbour != nullptr)
     {
-      facets       = neighbour->facets;
-      grips        = neighbour->grips;
-      conditions   = neighbour->conditions;
-      piece.active = neighbour->piece.active;
+      facets        = neighbour->facets;
+      grips         = neighbour->grips;
+      places_before = neighbour->places_on_board(motion.travel);
+      conditions    = neighbour->conditions;
+      piece.active  = neighbour->piece.active;
       remake_conditions();
     }
   else
@@ -248,6 +251,8 @@ ContactPath<dim>::cross_end()
   const double travel = end_of_piece;
   Assert(std::isfinite(travel), ExcInternalError());
   const double before = energy()(travel);
+  places_before       = places_on_board(travel);
+  n_changes.assign(grips.size(), 0);
   if (slipping_condition)
     {
       let_slip(*slipping_condition, travel);
@@ -268,7 +273,7 @@ ContactPath<dim>::cross_end()
   if (conditions[i].kind == Kind::board && piece.active[i] &&
       basis.board()->friction > 0)
     {
-      let_stick(i, travel);
+      let_stick(i, places_before[conditions[i].place]);
       remake_conditions();
     }
   take_piece(travel, [&] { return piece.active; });
@@ -280,7 +285,7 @@ ContactPath<dim>::cross_end()
       settle(travel + smallest_step);
       end_of_piece = std::max(end_of_piece, travel + smallest_step);
     }
-  else if (update_grips(travel, true))
+  else if (update_grips(travel))
     {
       remake_conditions();
       settle(travel);

@@ -114,9 +114,10 @@ BladeTravel<dim>::follow(BladeMotion &motion)
               motion);
       if (split)
         return split;
-      if (path->end() <= travel)
+      const bool crosses = path->end() <= travel;
+      if (crosses)
         motion.excess_energy += path->cross_end();
-      search->cross(travel);
+      search->cross(motion, crosses);
     }
   throw SolverError("The contact of the blade does not settle at a travel of " +
                     std::to_string(motion.travel) +

@@ -115,7 +115,7 @@ ResultsWriter<dim>::doubt(const Event &event,
   });
   // Less is round-off, or nothing that a picture shows. Contact keeps walls
   // apart in the mean over a hat, and lets single nodes through.
-  const bool has_contact = scene.blade.travels && state.blade.row;
+  const bool has_contact = scene.blade.travels;
   doubt_for(&Doubts::overlap,
             !has_contact && overlap.depth > 1e-6 * scene.body.mesh.extent(),
             [&] { return warn_of_overlap(event, overlap, scene.length_unit); });

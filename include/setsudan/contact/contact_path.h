@@ -111,6 +111,14 @@ public:
         const ContactPath *neighbour,
         const std::vector<double> &measured = {});
 
+  /** Whether there may be other contacts at the same travel if the body has
+   * come there in another way. */
+  bool
+  depends_on_way() const
+  {
+    return basis.board() && basis.board()->friction > 0;
+  }
+
   /** Up to where the present contacts hold, not less than where they began;
    * infinite where nothing ends them. */
   double
@@ -283,20 +291,26 @@ private:
   Quadratic
   excess_friction(const unsigned int board_condition) const;
 
-  /** Let a corner slip as the friction on it is. */
-  void
+  /** Let a corner slip as the friction on it is; whether there is any. */
+  bool
   let_slip(const unsigned int board_condition, const double travel);
 
-  /** Let a corner stick where it is. */
+  /** Let a corner stick at a place. */
   void
-  let_stick(const unsigned int board_condition, const double travel);
+  let_stick(const unsigned int board_condition,
+            const std::array<double, dim - 1> &place);
 
   /** Let corners slip that would take more than Coulomb's friction, and stick
-   * that have come to the board or would slip back; whether any did.
-   *
-   * @param may_stick whether those that would slip back may stick. */
+   * that have come to the board or would slip back from where they were;
+   * whether any did. */
   bool
-  update_grips(const double travel, const bool may_stick);
+  update_grips(const double travel);
+  bool
+  update_grip(const unsigned int board_condition, const double travel);
+
+  /** Where the corners on a board are at a travel. */
+  std::vector<std::array<double, dim - 1>>
+  places_on_board(const double travel) const;
 
   /** The conditions along the board at the corner of one, begin and end. */
   std::pair<unsigned int, unsigned int>
@@ -405,8 +419,12 @@ private:
 
   /** The facets of the hats' walls. */
   std::vector<unsigned int> facets;
-  /** Of the corners on a board. */
+  /** Of the corners on a board, and where these were when the contacts were
+   * looked for. */
   std::vector<BoardGrip<dim>> grips;
+  std::vector<std::array<double, dim - 1>> places_before;
+  /** How often each has changed since then. */
+  std::vector<unsigned int> n_changes;
   std::vector<Condition> conditions;
   std::unique_ptr<Complementarity> problem;
   Complementarity::Piece piece;

@@ -35,7 +35,7 @@ public:
   end() const override;
 
   void
-  cross(const double travel) override;
+  cross(const BladeMotion &motion, const bool path_has_crossed) override;
 
   std::optional<Split>
   first_split(const BladeMotion &motion, const double end) override;

@@ -56,9 +56,11 @@ public:
   virtual double
   end() const;
 
-  /** Go on to those that hold beyond a travel. */
+  /** Go on to those that hold beyond where the blade is.
+   *
+   * @param path_has_crossed whether the path's have changed there. */
   virtual void
-  cross(const double travel);
+  cross(const BladeMotion &motion, const bool path_has_crossed);
 
   /** The first split from where the blade is up to a travel, with the contacts
    * that hold now. */
