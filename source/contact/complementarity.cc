@@ -29,19 +29,25 @@ at(const LinearInParameter &quantity, const double p)
 } // namespace
 
 
-Complementarity::Complementarity(const LAPACKFullMatrix<double> &G,
-                                 std::vector<VectorSum> rows,
-                                 std::vector<VectorSum> forces,
-                                 LinearInParameter b,
-                                 std::optional<SharedUnknown> unknown,
-                                 const std::vector<unsigned int> redundant)
+Complementarity::Complementarity(
+  const LAPACKFullMatrix<double> &G,
+  std::vector<VectorSum> rows,
+  std::vector<VectorSum> forces,
+  LinearInParameter b,
+  std::optional<SharedUnknown> unknown,
+  const std::vector<unsigned int> redundant,
+  std::vector<std::pair<unsigned int, unsigned int>> pairs)
   : products(G)
   , measured(std::move(rows))
   , exerted(std::move(forces))
   , required(std::move(b))
   , shared(std::move(unknown))
   , own_compliance(size(), 0.)
+  , followers(std::move(pairs))
+  , is_follower(size(), false)
 {
+  for (const auto &[follower, leader] : followers)
+    is_follower[follower] = true;
   for (const unsigned int i : redundant)
     own_compliance[i] = compliance;
   AssertDimension(products.m(), products.n());
@@ -151,9 +157,19 @@ Complementarity::violations(const ActiveSet &active,
   const double allowed_gap  = round_off * b.linfty_norm();
   std::vector<unsigned int> violated;
   for (unsigned int i = 0; i < size(); ++i)
-    if (active[i] ? !(lambda[i] >= -allowed_pull) : !(gap[i] >= -allowed_gap))
+    if (!is_follower[i] &&
+        (active[i] ? !(lambda[i] >= -allowed_pull) : !(gap[i] >= -allowed_gap)))
       violated.push_back(i);
   return violated;
+}
+
+
+
+void
+Complementarity::follow(ActiveSet &active) const
+{
+  for (const auto &[follower, leader] : followers)
+    active[follower] = active[leader];
 }
 
 
@@ -168,6 +184,7 @@ Complementarity::pivot(ActiveSet active, const Vector<double> &b) const
       if (violated.empty())
         return active;
       active[violated.back()].flip();
+      follow(active);
     }
   throw SolverError(
     "There is no equilibrium with contact: the conditions of contact "
@@ -182,6 +199,7 @@ Complementarity::active_set(const double p, ActiveSet active) const
 {
   const Vector<double> b = at(required, p);
   active.resize(size(), false);
+  follow(active);
   std::set<ActiveSet> known;
   while (known.insert(active).second)
     {
@@ -190,6 +208,7 @@ Complementarity::active_set(const double p, ActiveSet active) const
         return active;
       for (const unsigned int i : violated)
         active[i].flip();
+      follow(active);
     }
   return pivot(std::move(active), b);
 }
@@ -200,8 +219,9 @@ Complementarity::Piece
 Complementarity::piece(const ActiveSet &active) const
 {
   Piece piece;
-  piece.active      = active;
-  const auto solved = solve(active, {required.constant, required.slope});
+  piece.active = active;
+  follow(piece.active);
+  const auto solved = solve(piece.active, {required.constant, required.slope});
   const auto &[constant, x0] = solved[0];
   const auto &[slope, x1]    = solved[1];
   piece.multipliers          = {constant, slope};
@@ -210,7 +230,7 @@ Complementarity::piece(const ActiveSet &active) const
   piece.gaps = {gaps(piece.displacements.constant, x0, required.constant),
                 gaps(piece.displacements.slope, x1, required.slope)};
   for (unsigned int i = 0; i < size(); ++i)
-    if (active[i])
+    if (piece.active[i])
       piece.gaps.constant[i] = piece.gaps.slope[i] = 0;
   return piece;
 }
@@ -218,23 +238,26 @@ Complementarity::piece(const ActiveSet &active) const
 
 
 std::optional<Complementarity::Breakpoint>
-Complementarity::end_of(const Piece &piece, const double p) const
+Complementarity::end_of(const Piece &piece,
+                        const double p,
+                        const int heading) const
 {
   const auto falling = [&](const unsigned int i) -> const LinearInParameter & {
     return piece.active[i] ? piece.multipliers : piece.gaps;
   };
   std::array<double, 2> largest{};
   for (unsigned int i = 0; i < size(); ++i)
-    largest[piece.active[i]] =
-      std::max(largest[piece.active[i]], std::abs(falling(i).slope[i]));
+    if (!is_follower[i])
+      largest[piece.active[i]] =
+        std::max(largest[piece.active[i]], std::abs(falling(i).slope[i]));
   std::optional<Breakpoint> end;
   for (unsigned int i = 0; i < size(); ++i)
     {
-      const double slope = falling(i).slope[i];
-      if (slope >= -round_off * largest[piece.active[i]])
+      const double slope = heading * falling(i).slope[i];
+      if (is_follower[i] || slope >= -round_off * largest[piece.active[i]])
         continue;
-      const double zero = p + std::max(falling(i)(i, p), 0.) / -slope;
-      if (!end || zero < end->p)
+      const double zero = p + heading * std::max(falling(i)(i, p), 0.) / -slope;
+      if (!end || heading * (zero - end->p) < 0)
         end = {zero, i};
     }
   return end;

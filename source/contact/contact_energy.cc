@@ -9,19 +9,27 @@ template <int dim>
 Quadratic
 ContactPath<dim>::energy() const
 {
-  const auto &[constant, slope] = piece.multipliers;
   Quadratic result;
-  result.c[0] = energy_at_rest;
+  result.c[0]    = energy_at_rest;
+  const auto add = [&](const Condition &condition,
+                       const double constant,
+                       const double slope) {
+    for (const auto &[a, factor] : condition.exerted)
+      {
+        const double u0 =
+          factor * (piece.displacements.constant[a] + moved_by_adhesion[a]) / 2;
+        const double u1 = factor * piece.displacements.slope[a] / 2;
+        result.c[0] += constant * u0;
+        result.c[1] += constant * u1 + slope * u0;
+        result.c[2] += slope * u1;
+      }
+  };
+  const auto &[constant, slope] = piece.multipliers;
   for (unsigned int i = 0; i < conditions.size(); ++i)
     if (piece.active[i])
-      for (const auto &[a, factor] : conditions[i].exerted)
-        {
-          const double u0 = factor * piece.displacements.constant[a] / 2;
-          const double u1 = factor * piece.displacements.slope[a] / 2;
-          result.c[0] += constant[i] * u0;
-          result.c[1] += constant[i] * u1 + slope[i] * u0;
-          result.c[2] += slope[i] * u1;
-        }
+      add(conditions[i], constant[i], slope[i]);
+  for (const auto &[condition, strength] : adhesions)
+    add(condition, strength, 0);
   return result;
 }
 
@@ -46,6 +54,21 @@ ContactPath<dim>::sum_over(const Kind kind,
 
 template <int dim>
 Quadratic
+ContactPath<dim>::sum_over_flanks(const double Condition::*factor) const
+{
+  Quadratic sum         = sum_over(Kind::flank, factor);
+  const Quadratic stuck = sum_over(Kind::stick, factor);
+  for (unsigned int i = 0; i < 3; ++i)
+    sum.c[i] += stuck.c[i];
+  for (const auto &[condition, strength] : adhesions)
+    sum.c[0] += strength * (condition.*factor);
+  return sum;
+}
+
+
+
+template <int dim>
+Quadratic
 ContactPath<dim>::edge_force() const
 {
   return sum_over(Kind::edge, &Condition::force);
@@ -57,7 +80,7 @@ template <int dim>
 Quadratic
 ContactPath<dim>::flank_force() const
 {
-  return sum_over(Kind::flank, &Condition::force);
+  return sum_over_flanks(&Condition::force);
 }
 
 
@@ -66,7 +89,7 @@ template <int dim>
 Quadratic
 ContactPath<dim>::friction_force() const
 {
-  return sum_over(Kind::flank, &Condition::friction);
+  return sum_over_flanks(&Condition::friction);
 }
 
 
@@ -75,7 +98,7 @@ template <int dim>
 Quadratic
 ContactPath<dim>::unfelt_force() const
 {
-  return sum_over(Kind::flank, &Condition::unfelt);
+  return sum_over_flanks(&Condition::unfelt);
 }
 
 
@@ -113,22 +136,27 @@ ContactPath<dim>::friction_work(const double begin, const double end) const
   using Component     = typename ContactBasis<dim>::Component;
   const double travel = end - begin;
   double work         = 0;
+  // For a multiplier of 1.
+  const auto taken = [&](const Condition &condition) {
+    const auto moves = [&](const Component component) {
+      return travel * moved(condition.place, condition.wall, component)[1];
+    };
+    return dissipation(condition,
+                       travel,
+                       moves(Component::along),
+                       sliding.rubs_aside() ? moves(Component::aside) : 0.);
+  };
+  for (const auto &[condition, strength] : adhesions)
+    work += strength * taken(condition);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     {
       const Condition &condition = conditions[i];
-      const auto moves           = [&](const Component component) {
-        return travel * moved(condition.place, condition.wall, component)[1];
-      };
       if (!piece.active[i])
         continue;
       const double mean =
         (piece.multipliers(i, begin) + piece.multipliers(i, end)) / 2;
-      if (condition.kind == Kind::flank && sliding.friction > 0)
-        work += mean * dissipation(
-                         condition,
-                         travel,
-                         moves(Component::along),
-                         sliding.rubs_aside() ? moves(Component::aside) : 0.);
+      if (condition.is_of_flank() && sliding.rubs())
+        work += mean * taken(condition);
       // The edge slips along the front as far as it does not grip.
       if (condition.kind == Kind::edge)
         work +=
@@ -145,7 +173,7 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
 {
   using Component = typename ContactBasis<dim>::Component;
   Quadratic work;
-  if (sliding.friction == 0)
+  if (!sliding.rubs())
     return work;
   // How far a component of a wall moves as rows split, over the travel.
   const auto moves = [&](const Condition &condition,
@@ -155,24 +183,27 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
     return std::array<double, 2>{
       {behind[0] - before[0], behind[1] - before[1]}};
   };
+  const auto add =
+    [&](const Condition &condition, const double constant, const double slope) {
+      const auto along   = moves(condition, Component::along);
+      const auto aside   = sliding.rubs_aside()
+                             ? moves(condition, Component::aside)
+                             : std::array<double, 2>{};
+      const double slip0 = dissipation(condition, 0, along[0], aside[0]);
+      const double slip1 = dissipation(condition, 0, along[1], aside[1]);
+      work.c[0] += constant / 2 * slip0;
+      work.c[1] += constant / 2 * slip1 + slope / 2 * slip0;
+      work.c[2] += slope / 2 * slip1;
+    };
   for (const ContactPath *path : {this, &after})
-    for (unsigned int i = 0; i < path->conditions.size(); ++i)
-      {
-        const Condition &condition = path->conditions[i];
-        if (!path->piece.active[i] || condition.kind != Kind::flank)
-          continue;
-        const auto along   = moves(condition, Component::along);
-        const auto aside   = sliding.rubs_aside()
-                               ? moves(condition, Component::aside)
-                               : std::array<double, 2>{};
-        const double slip0 = dissipation(condition, 0, along[0], aside[0]);
-        const double slip1 = dissipation(condition, 0, along[1], aside[1]);
-        const double m0    = path->piece.multipliers.constant[i] / 2;
-        const double m1    = path->piece.multipliers.slope[i] / 2;
-        work.c[0] += m0 * slip0;
-        work.c[1] += m0 * slip1 + m1 * slip0;
-        work.c[2] += m1 * slip1;
-      }
+    {
+      const auto &[constant, slope] = path->piece.multipliers;
+      for (unsigned int i = 0; i < path->conditions.size(); ++i)
+        if (path->piece.active[i] && path->conditions[i].is_of_flank())
+          add(path->conditions[i], constant[i], slope[i]);
+      for (const auto &[condition, strength] : path->adhesions)
+        add(condition, strength, 0);
+    }
   return work;
 }
 
@@ -217,6 +248,9 @@ ContactPath<dim>::forces(const double travel) const
   for (unsigned int i = 0; i < conditions.size(); ++i)
     for (const auto &[place, factor] : conditions[i].exerted)
       result[vector_at[place]] += factor * piece.multipliers(i, travel);
+  for (const auto &[condition, strength] : adhesions)
+    for (const auto &[place, factor] : condition.exerted)
+      result[vector_at[place]] += factor * strength;
   return result;
 }
 

@@ -29,6 +29,7 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   , place_of(basis.vectors().size(), numbers::invalid_unsigned_int)
   , smallest_step(smallest_step)
   , facets(2 * basis.hats().size(), 0)
+  , slips(2 * basis.hats().size())
 {
   std::vector<unsigned int> used;
   const auto use = [&](const unsigned int vector) {
@@ -67,9 +68,10 @@ ContactPath<dim>::moved(
 {
   const double area        = basis.hats()[h].area;
   const unsigned int place = place_of_hat(h, wall, component);
-  return {
-    {(displacement_at_rest[place] + piece.displacements.constant[place]) / area,
-     piece.displacements.slope[place] / area}};
+  return {{(displacement_at_rest[place] + moved_by_adhesion[place] +
+            piece.displacements.constant[place]) /
+             area,
+           piece.displacements.slope[place] / area}};
 }
 
 
@@ -96,21 +98,23 @@ ContactPath<dim>::update_facets(const double travel,
   bool any = false;
   for (unsigned int i = 0; i < conditions.size(); ++i)
     {
-      if (conditions[i].kind != Kind::flank)
+      if (conditions[i].kind != Kind::flank || keeps_facet(conditions[i]))
         continue;
       const unsigned int h = conditions[i].place;
       const Wall wall      = conditions[i].wall;
       const auto behind    = distance_behind_edge(h, wall);
       const double s       = behind[0] + travel * behind[1];
       unsigned int &k      = facet(h, wall);
-      if (k + 1 < profile.facets.size() &&
-          s >= profile.facets[k + 1].begin + tolerance)
+      const bool is_past   = k + 1 < profile.facets.size() &&
+                           s >= profile.facets[k + 1].begin + tolerance;
+      const bool is_ahead = k > 0 && s < profile.facets[k].begin - tolerance;
+      const bool may_turn = back && !piece.active[i];
+      if (is_past && (heading > 0 || may_turn))
         {
           ++k;
           any = true;
         }
-      else if (back && k > 0 && !piece.active[i] &&
-               s < profile.facets[k].begin - tolerance)
+      else if (is_ahead && (heading < 0 || may_turn))
         {
           --k;
           any = true;
@@ -127,18 +131,22 @@ ContactPath<dim>::settle(const double travel)
 {
   // A wall that goes back and forth between two facets stays on the second one.
   constexpr unsigned int most_back = 20;
-  const unsigned int most          = most_back + profile.facets.size();
+  // Friction that is not settled all at once is one by one.
+  constexpr unsigned int most_at_once = 30;
+  const unsigned int most             = most_back + profile.facets.size() +
+                            (has_turned ? most_at_once + 20 * slips.size() : 0);
   for (unsigned int round = 0; round <= most; ++round)
     {
       take_piece(travel,
                  [&] { return problem->active_set(travel, piece.active); });
-      if (!update_facets(travel, 1e-2 * smallest_step, round < most_back))
+      if (!update_facets(travel, 1e-2 * smallest_step, round < most_back) &&
+          !update_slips(travel, round > most_at_once))
         return;
       remake_conditions();
     }
   throw SolverError("The walls of the cut do not come to rest on the blade's "
                     "shoulder. Set Blade/Shoulder radius larger, or Blade/"
-                    "Profile with more points.");
+                    "Profile with more points, or Blade/Friction lower.");
 }
 
 
@@ -151,31 +159,54 @@ ContactPath<dim>::take_piece(const double travel,
   const auto [found, ends] = of_first_process(basis.communicator(), [&] {
     const auto of_active = problem->piece(active());
     std::vector<Complementarity::Breakpoint> end;
-    if (const auto breakpoint = problem->end_of(of_active, travel))
+    if (const auto breakpoint = problem->end_of(of_active, travel, heading))
       end.push_back(*breakpoint);
     return std::make_pair(of_active, end);
   });
   piece                    = found;
-  end_of_piece =
-    ends.empty() ? std::numeric_limits<double>::infinity() : ends[0].p;
-  ending_condition = ends.empty()
-                       ? std::optional<unsigned int>()
-                       : std::optional<unsigned int>(ends[0].condition);
-  if (profile.facets.size() < 2)
-    return;
+  end_of_piece             = ends.empty()
+                               ? heading * std::numeric_limits<double>::infinity()
+                               : ends[0].p;
+  ending_condition         = ends.empty()
+                               ? std::optional<unsigned int>()
+                               : std::optional<unsigned int>(ends[0].condition);
+  ending_slip.reset();
+  find_end_of_facets(travel);
+  find_end_of_sticking(travel);
+}
+
+
+
+template <int dim>
+bool
+ContactPath<dim>::keeps_facet(const Condition &flank) const
+{
+  // It moves with the blade.
+  return !profile.presses_across &&
+         slips[place_of_wall(flank.place, flank.wall)].way == 0;
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::find_end_of_facets(const double travel)
+{
   for (const auto &condition : conditions)
     {
-      if (condition.kind != Kind::flank)
+      if (condition.kind != Kind::flank || keeps_facet(condition))
         continue;
-      const unsigned int k = facet(condition.place, condition.wall);
-      if (k + 1 == profile.facets.size())
+      const unsigned int k    = facet(condition.place, condition.wall);
+      const unsigned int next = heading > 0 ? k + 1 : k;
+      if (next == 0 || next == profile.facets.size())
         continue;
       const auto behind = distance_behind_edge(condition.place, condition.wall);
       if (behind[1] <= 0)
         continue;
-      const double p =
-        std::max((profile.facets[k + 1].begin - behind[0]) / behind[1], travel);
-      if (p < end_of_piece)
+      double p = (profile.facets[next].begin - behind[0]) / behind[1];
+      if (is_before(p, travel))
+        p = travel;
+      if (is_before(p, end_of_piece))
         {
           end_of_piece = p;
           ending_condition.reset();
@@ -193,6 +224,10 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
   if (neighbour != nullptr)
     {
       facets       = neighbour->facets;
+      heading      = neighbour->heading;
+      slips        = neighbour->slips;
+      has_turned   = neighbour->has_turned;
+      adhering     = neighbour->adhering;
       conditions   = neighbour->conditions;
       piece.active = neighbour->piece.active;
       remake_conditions();
@@ -204,12 +239,40 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
         {
           facets        = earlier.facets;
           resting_shift = earlier.resting_shift;
+          heading       = earlier.heading;
+          has_turned    = !earlier.slips.empty();
+          if (has_turned)
+            slips = earlier.slips;
+          adhering = earlier.adhering;
         }
       make_conditions();
       if (earlier.active.size() == conditions.size())
         piece.active = earlier.active;
     }
   settle(motion.travel);
+  if (adhering.empty() && update_adhesion())
+    {
+      remake_conditions();
+      settle(motion.travel);
+    }
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::head(const int way, const double travel)
+{
+  if (way == heading)
+    return;
+  heading = way;
+  if (sliding.rubs())
+    {
+      has_turned = true;
+      hold_walls(travel);
+      remake_conditions();
+    }
+  settle(travel);
 }
 
 
@@ -230,24 +293,41 @@ ContactPath<dim>::cross_end()
   const double travel = end_of_piece;
   Assert(std::isfinite(travel), ExcInternalError());
   const double before = energy()(travel);
+  const double beyond = travel + heading * smallest_step;
   if (!ending_condition)
     {
-      // Where the front is straight all hats of a row do so together.
-      update_facets(travel, -smallest_step, false);
+      if (ending_slip)
+        {
+          const auto &flank = conditions[ending_slip->first];
+          slips[place_of_wall(flank.place, flank.wall)].way =
+            ending_slip->second;
+        }
+      else
+        // Where the front is straight all hats of a row do so together.
+        update_facets(travel, -smallest_step, false);
+      update_adhesion();
       remake_conditions();
+      const bool slips_now = ending_slip.has_value();
       settle(travel);
+      if (slips_now && is_before(end_of_piece, beyond))
+        end_of_piece = beyond;
       return before - energy()(travel);
     }
   const unsigned int i = *ending_condition;
   piece.active[i].flip();
   take_piece(travel, [&] { return piece.active; });
-  const double slope =
-    piece.active[i] ? piece.multipliers.slope[i] : piece.gaps.slope[i];
+  const double slope = heading * (piece.active[i] ? piece.multipliers.slope[i]
+                                                  : piece.gaps.slope[i]);
+  const bool adheres = update_adhesion();
+  const bool others_slip = update_slips(travel, false);
+  if (adheres || others_slip)
+    remake_conditions();
   // Where many change at once they are found a little beyond.
-  if (slope < 0 || end_of_piece < travel + smallest_step)
+  if (adheres || others_slip || slope < 0 || is_before(end_of_piece, beyond))
     {
-      settle(travel + smallest_step);
-      end_of_piece = std::max(end_of_piece, travel + smallest_step);
+      settle(beyond);
+      if (is_before(end_of_piece, beyond))
+        end_of_piece = beyond;
     }
   // With friction the contacts may spring from one equilibrium to another.
   return before - energy()(travel);

@@ -104,13 +104,17 @@ public:
   /** @param products G, which must live as long.
    * @param shared if there is one.
    * @param redundant the conditions that may follow from others; each has a
-   *   little compliance of its own, which tells their multipliers apart. */
-  Complementarity(const dealii::LAPACKFullMatrix<double> &products,
-                  std::vector<VectorSum> measured,
-                  std::vector<VectorSum> exerted,
-                  LinearInParameter required,
-                  std::optional<SharedUnknown> shared = {},
-                  std::vector<unsigned int> redundant = {});
+   *   little compliance of its own, which tells their multipliers apart.
+   * @param followers conditions that hold with equality, and multipliers of any
+   *   sign, while another one does: their numbers and those of the others. */
+  Complementarity(
+    const dealii::LAPACKFullMatrix<double> &products,
+    std::vector<VectorSum> measured,
+    std::vector<VectorSum> exerted,
+    LinearInParameter required,
+    std::optional<SharedUnknown> shared                          = {},
+    std::vector<unsigned int> redundant                          = {},
+    std::vector<std::pair<unsigned int, unsigned int>> followers = {});
 
   unsigned int
   size() const;
@@ -133,9 +137,11 @@ public:
   piece(const ActiveSet &active) const;
 
   /** The end of a piece that holds at p, beyond p; nothing where it holds for
-   * all that follow. */
+   * all that follow.
+   *
+   * @param heading 1 where larger p follow, -1 where smaller ones do. */
   std::optional<Breakpoint>
-  end_of(const Piece &piece, const double p) const;
+  end_of(const Piece &piece, const double p, const int heading = 1) const;
 
 private:
   struct Solved
@@ -157,6 +163,10 @@ private:
   violations(const ActiveSet &active,
              const dealii::Vector<double> &required) const;
 
+  /** Set the followers as those that they follow are. */
+  void
+  follow(ActiveSet &active) const;
+
   ActiveSet
   pivot(ActiveSet active, const dealii::Vector<double> &required) const;
 
@@ -176,5 +186,7 @@ private:
   const LinearInParameter required;
   const std::optional<SharedUnknown> shared;
   std::vector<double> own_compliance;
+  const std::vector<std::pair<unsigned int, unsigned int>> followers;
+  ActiveSet is_follower;
 };
 } // namespace Setsudan

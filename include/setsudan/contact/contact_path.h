@@ -51,6 +51,17 @@ namespace Setsudan
  *   edge  d.u + k e.u - (1 + k^2) (p - z) >= 0
  *   flank exerts  1 - m t out, t + m along, m xi (1 + t^2)^1/2 aside, where
  *         m = mu / (1 + xi^2)^1/2.
+ *
+ * Where the blade turns, the walls begin by sticking to it: a hat that sticks
+ * keeps its place along the flank,
+ *
+ *   stick on a hat of a wall     d.u - t o.u = A p + anchor,
+ *
+ * with a multiplier theta that exerts the same, as long as |theta| is not more
+ * than mu times the pressure, and what adhesion adds. Beyond that it slips, one
+ * way or the other, until the blade does not slip that way along it. All of
+ * these changes are breakpoints, too. Adhesion is a traction of its own on the
+ * hats that were in contact at the last breakpoint.
  */
 template <int dim>
 class ContactPath
@@ -83,8 +94,14 @@ public:
   void
   begin(const BladeMotion &motion, const ContactPath *neighbour);
 
-  /** Up to where the present contacts hold, not less than where they began;
-   * infinite where nothing ends them. */
+  /** Follow smaller travels from here on, or larger ones again.
+   *
+   * @param heading 1 for larger ones, -1 for smaller ones. */
+  void
+  head(const int heading, const double travel);
+
+  /** Up to where the present contacts hold on the blade's way; infinite where
+   * nothing ends them. */
   double
   end() const
   {
@@ -142,7 +159,12 @@ public:
   BladeContacts
   contacts() const
   {
-    return {facets, piece.active, resting_shift};
+    return {facets,
+            piece.active,
+            resting_shift,
+            heading,
+            has_turned ? slips : std::vector<WallSlip>(),
+            adhering};
   }
 
   /** The area on which the flanks press. */
@@ -158,6 +180,7 @@ private:
   {
     edge,
     flank,
+    stick,
     walls
   };
 
@@ -189,6 +212,13 @@ private:
 
     bool
     is_same(const Condition &other) const;
+
+    /** Whether it is one of a flank, on a wall. */
+    bool
+    is_of_flank() const
+    {
+      return kind == Kind::flank || kind == Kind::stick;
+    }
   };
 
   /** Where a vector of a hat is in `products`. */
@@ -197,8 +227,14 @@ private:
                const Wall wall,
                const typename ContactBasis<dim>::Component component) const;
 
+  /** The slope of a wall's facet, as far as pressure acts normally to it. */
+  double
+  tilt(const unsigned int hat, const Wall wall) const;
+
   Condition
   flank_condition(const unsigned int hat, const Wall wall) const;
+  Condition
+  stick_condition(const unsigned int hat, const Wall wall) const;
   Condition
   walls_condition(const unsigned int hat) const;
   Condition
@@ -209,6 +245,10 @@ private:
   /** Make the conditions for the facets as they are. */
   void
   make_conditions();
+
+  /** What adheres, and how that moves the vectors. */
+  void
+  make_adhesion();
 
   /** And the problem that they pose. */
   void
@@ -238,20 +278,80 @@ private:
   void
   take_piece(const double travel, const std::function<ActiveSet()> &active);
 
+  /** Ask where the facets of the hats, or the friction of those that stick, end
+   * the piece. */
+  void
+  find_end_of_facets(const double travel);
+  void
+  find_end_of_sticking(const double travel);
+
+  /** Whether a wall stays on its facet until it slips. */
+  bool
+  keeps_facet(const Condition &flank) const;
+
+  /** Let the walls that touch stick where they are. */
+  void
+  hold_walls(const double travel);
+
+  /** Let walls slip whose friction is too large, and stick that slip the other
+   * way; whether any did.
+   *
+   * @param one whether only one of them may change. */
+  bool
+  update_slips(const double travel, const bool one);
+
+  /** Let those walls adhere that touch; whether any had not done so, or ceases
+   * to. */
+  bool
+  update_adhesion();
+
+  /** What one must become, if it is to change. */
+  std::optional<int>
+  other_way(const unsigned int condition,
+            const double travel,
+            const double largest) const;
+
+  /** The largest friction of a condition of a flank, over the travel. */
+  std::array<double, 2>
+  largest_friction(const unsigned int condition) const;
+
+  /** Whether anything lets a wall move along a flank. */
+  bool
+  can_stick(const Condition &flank) const;
+
+  void
+  stick(const unsigned int hat, const Wall wall, const double travel);
+
+  /** Whether one travel comes before another one. */
+  bool
+  is_before(const double travel, const double other) const
+  {
+    return heading * (other - travel) > 0;
+  }
+
+  static unsigned int
+  place_of_wall(const unsigned int hat, const Wall wall)
+  {
+    return 2 * hat + (wall == Wall::plus);
+  }
   unsigned int &
   facet(const unsigned int hat, const Wall wall)
   {
-    return facets[2 * hat + (wall == Wall::plus)];
+    return facets[place_of_wall(hat, wall)];
   }
   unsigned int
   facet(const unsigned int hat, const Wall wall) const
   {
-    return facets[2 * hat + (wall == Wall::plus)];
+    return facets[place_of_wall(hat, wall)];
   }
 
   /** A sum over the conditions of a kind, each times its multiplier. */
   Quadratic
   sum_over(const Kind kind, const double Condition::*factor) const;
+
+  /** That over the conditions of flanks, and what adheres. */
+  Quadratic
+  sum_over_flanks(const double Condition::*factor) const;
 
   /** The mean of a component of a wall's displacement, over the travel. */
   std::array<double, 2>
@@ -282,13 +382,25 @@ private:
    * touches it. */
   double resting_shift = 0;
 
-  /** The facets of the hats' walls. */
+  /** Which way the blade goes. */
+  int heading = 1;
+  /** The facets of the hats' walls, and how these slip along them: forward, as
+   * long as the blade has not turned. */
   std::vector<unsigned int> facets;
+  std::vector<WallSlip> slips;
+  bool has_turned = false;
+  /** The walls that adhere, the friction that this is, and how it moves the
+   * vectors; none where there is no adhesion. */
+  std::vector<bool> adhering;
+  std::vector<std::pair<Condition, double>> adhesions;
+  std::vector<double> moved_by_adhesion;
   std::vector<Condition> conditions;
   std::unique_ptr<Complementarity> problem;
   Complementarity::Piece piece;
   double end_of_piece = std::numeric_limits<double>::infinity();
-  /** The condition that ends the piece, if it is no change of a facet. */
+  /** The condition that ends the piece, or the one that begins to slip and its
+   * way, if it is no change of a facet. */
   std::optional<unsigned int> ending_condition;
+  std::optional<std::pair<unsigned int, int>> ending_slip;
 };
 } // namespace Setsudan
