@@ -210,7 +210,7 @@ ContactPath<dim>::make_problem()
   std::vector<VectorSum> measured, exerted;
   // Where both flanks touch, whether the walls do follows from that.
   std::vector<unsigned int> redundant;
-  std::vector<std::pair<unsigned int, unsigned int>> followers;
+  std::vector<unsigned int> leader;
   std::optional<SharedUnknown> blade;
   if (!sliding.is_guided)
     blade = {Vector<double>(n), Vector<double>(n), 0.};
@@ -226,9 +226,8 @@ ContactPath<dim>::make_problem()
           factor * (displacement_at_rest[a] + moved_by_adhesion[a]);
       if (conditions[i].kind == Kind::walls)
         redundant.push_back(i);
-      // They are behind each other.
-      if (conditions[i].kind == Kind::stick)
-        followers.emplace_back(i, i - 1);
+      // A wall sticks while its flank, the condition before, touches.
+      leader.push_back(conditions[i].kind == Kind::stick ? i - 1 : i);
       if (!blade || !conditions[i].is_of_flank())
         continue;
       // The unknown is how far it goes from where it rested.
@@ -243,13 +242,14 @@ ContactPath<dim>::make_problem()
   // Less than what any number of the results tells.
   if (blade)
     blade->stiffness = 1e-10 / softest;
-  problem = std::make_unique<Complementarity>(products,
-                                              std::move(measured),
-                                              std::move(exerted),
-                                              std::move(required),
-                                              std::move(blade),
-                                              std::move(redundant),
-                                              std::move(followers));
+  problem =
+    std::make_unique<Complementarity>(products,
+                                      ContactConditions{std::move(measured),
+                                                        std::move(exerted),
+                                                        std::move(required),
+                                                        std::move(blade),
+                                                        std::move(redundant),
+                                                        std::move(leader)});
 }
 
 

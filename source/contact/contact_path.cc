@@ -314,7 +314,7 @@ ContactPath<dim>::cross_end()
       return before - energy()(travel);
     }
   const unsigned int i = *ending_condition;
-  piece.active[i].flip();
+  problem->flip(piece.active, i);
   take_piece(travel, [&] { return piece.active; });
   const double slope = heading * (piece.active[i] ? piece.multipliers.slope[i]
                                                   : piece.gaps.slope[i]);
