@@ -146,8 +146,10 @@ ContactPath<dim>::friction_work(const double begin, const double end) const
                        moves(Component::along),
                        sliding.rubs_aside() ? moves(Component::aside) : 0.);
   };
+  // What adheres may have left the blade since the last breakpoint.
   for (const auto &[condition, strength] : adhesions)
-    work += strength * taken(condition);
+    work += strength * travel *
+            (condition.per_travel - moved_along_flank(condition)[1]);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     {
       const Condition &condition = conditions[i];
@@ -202,7 +204,12 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
         if (path->piece.active[i] && path->conditions[i].is_of_flank())
           add(path->conditions[i], constant[i], slope[i]);
       for (const auto &[condition, strength] : path->adhesions)
-        add(condition, strength, 0);
+        {
+          const auto before = moved_along_flank(condition),
+                     behind = after.moved_along_flank(condition);
+          work.c[0] -= strength / 2 * (behind[0] - before[0]);
+          work.c[1] -= strength / 2 * (behind[1] - before[1]);
+        }
     }
   return work;
 }

@@ -42,17 +42,35 @@ ContactPath<dim>::make_adhesion()
 
 
 template <int dim>
-bool
-ContactPath<dim>::update_adhesion()
+std::vector<bool>
+ContactPath<dim>::touching() const
 {
-  if (sliding.adhesion == 0)
-    return false;
-  const auto before = adhering;
-  adhering.assign(facets.size(), false);
+  std::vector<bool> walls(facets.size(), false);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     if (conditions[i].kind == Kind::flank && piece.active[i])
-      adhering[place_of_wall(conditions[i].place, conditions[i].wall)] = true;
-  return adhering != before;
+      walls[place_of_wall(conditions[i].place, conditions[i].wall)] = true;
+  return walls;
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::update_adhesion(const std::vector<bool> &touched,
+                                  const double travel)
+{
+  if (sliding.adhesion == 0)
+    return;
+  const auto touch  = touching();
+  const auto before = adhering;
+  adhering.resize(touch.size(), false);
+  for (unsigned int wall = 0; wall < touch.size(); ++wall)
+    if (touch[wall] != touched[wall])
+      adhering[wall] = touch[wall];
+  if (adhering == before)
+    return;
+  remake_conditions();
+  settle(travel);
 }
 
 
@@ -82,9 +100,8 @@ ContactPath<dim>::stick(const unsigned int h,
   double place =
     condition.across * condition.measured[0].second * this->shift(travel) -
     condition.per_travel * travel;
-  for (const auto &[a, factor] : condition.measured)
-    place += factor * (displacement_at_rest[a] + moved_by_adhesion[a] +
-                       piece.displacements(a, travel));
+  const auto [moved_at_0, rate] = moved_along_flank(condition);
+  place += moved_at_0 + travel * rate;
   slips[place_of_wall(h, wall)] = {0, place};
 }
 
@@ -223,18 +240,20 @@ ContactPath<dim>::find_end_of_sticking(const double travel)
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template void ContactPath<dim>::make_adhesion();                        \
-  template bool ContactPath<dim>::update_adhesion();                      \
-  template bool ContactPath<dim>::can_stick(const Condition &) const;     \
-  template void ContactPath<dim>::stick(                                  \
-    const unsigned int, const Wall, const double);                        \
-  template void ContactPath<dim>::hold_walls(const double);               \
-  template std::array<double, 2> ContactPath<dim>::largest_friction(      \
-    const unsigned int) const;                                            \
-  template std::optional<int> ContactPath<dim>::other_way(                \
-    const unsigned int, const double, const double) const;                \
-  template bool ContactPath<dim>::update_slips(const double, const bool); \
+#define INSTANTIATE(dim)                                                     \
+  template void ContactPath<dim>::make_adhesion();                           \
+  template std::vector<bool> ContactPath<dim>::touching() const;             \
+  template void ContactPath<dim>::update_adhesion(const std::vector<bool> &, \
+                                                  const double);             \
+  template bool ContactPath<dim>::can_stick(const Condition &) const;        \
+  template void ContactPath<dim>::stick(                                     \
+    const unsigned int, const Wall, const double);                           \
+  template void ContactPath<dim>::hold_walls(const double);                  \
+  template std::array<double, 2> ContactPath<dim>::largest_friction(         \
+    const unsigned int) const;                                               \
+  template std::optional<int> ContactPath<dim>::other_way(                   \
+    const unsigned int, const double, const double) const;                   \
+  template bool ContactPath<dim>::update_slips(const double, const bool);    \
   template void ContactPath<dim>::find_end_of_sticking(const double);
 
 INSTANTIATE(2)

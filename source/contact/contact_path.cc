@@ -78,6 +78,21 @@ ContactPath<dim>::moved(
 
 template <int dim>
 std::array<double, 2>
+ContactPath<dim>::moved_along_flank(const Condition &stick) const
+{
+  using Component  = typename ContactBasis<dim>::Component;
+  const auto along = moved(stick.place, stick.wall, Component::along);
+  const auto out   = moved(stick.place, stick.wall, Component::outward);
+  const auto tilt  = -stick.measured[0].second;
+  const auto area  = basis.hats()[stick.place].area;
+  return {
+    {area * (along[0] - tilt * out[0]), area * (along[1] - tilt * out[1])}};
+}
+
+
+
+template <int dim>
+std::array<double, 2>
 ContactPath<dim>::distance_behind_edge(const unsigned int h,
                                        const Wall wall) const
 {
@@ -221,6 +236,7 @@ void
 ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
 {
   resting_shift = motion.shift;
+  std::vector<bool> touched(facets.size(), false);
   if (neighbour != nullptr)
     {
       facets       = neighbour->facets;
@@ -228,6 +244,7 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
       slips        = neighbour->slips;
       has_turned   = neighbour->has_turned;
       adhering     = neighbour->adhering;
+      touched      = neighbour->touching();
       conditions   = neighbour->conditions;
       piece.active = neighbour->piece.active;
       remake_conditions();
@@ -250,11 +267,9 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
         piece.active = earlier.active;
     }
   settle(motion.travel);
-  if (adhering.empty() && update_adhesion())
-    {
-      remake_conditions();
-      settle(motion.travel);
-    }
+  // Those of a path that is gone on with are known.
+  if (adhering.empty() || neighbour != nullptr)
+    update_adhesion(touched, motion.travel);
 }
 
 
@@ -287,6 +302,30 @@ ContactPath<dim>::shift(const double travel) const
 
 
 template <int dim>
+void
+ContactPath<dim>::change_condition(const unsigned int i,
+                                   const double travel,
+                                   const double beyond)
+{
+  problem->flip(piece.active, i);
+  take_piece(travel, [&] { return piece.active; });
+  const double slope = heading * (piece.active[i] ? piece.multipliers.slope[i]
+                                                  : piece.gaps.slope[i]);
+  const bool others_slip = update_slips(travel, false);
+  if (others_slip)
+    remake_conditions();
+  // Where many change at once they are found a little beyond.
+  if (others_slip || slope < 0 || is_before(end_of_piece, beyond))
+    {
+      settle(beyond);
+      if (is_before(end_of_piece, beyond))
+        end_of_piece = beyond;
+    }
+}
+
+
+
+template <int dim>
 double
 ContactPath<dim>::cross_end()
 {
@@ -294,9 +333,13 @@ ContactPath<dim>::cross_end()
   Assert(std::isfinite(travel), ExcInternalError());
   const double before = energy()(travel);
   const double beyond = travel + heading * smallest_step;
-  if (!ending_condition)
+  const auto touched  = touching();
+  if (ending_condition)
+    change_condition(*ending_condition, travel, beyond);
+  else
     {
-      if (ending_slip)
+      const bool slips_now = ending_slip.has_value();
+      if (slips_now)
         {
           const auto &flank = conditions[ending_slip->first];
           slips[place_of_wall(flank.place, flank.wall)].way =
@@ -305,30 +348,12 @@ ContactPath<dim>::cross_end()
       else
         // Where the front is straight all hats of a row do so together.
         update_facets(travel, -smallest_step, false);
-      update_adhesion();
       remake_conditions();
-      const bool slips_now = ending_slip.has_value();
       settle(travel);
       if (slips_now && is_before(end_of_piece, beyond))
         end_of_piece = beyond;
-      return before - energy()(travel);
     }
-  const unsigned int i = *ending_condition;
-  problem->flip(piece.active, i);
-  take_piece(travel, [&] { return piece.active; });
-  const double slope = heading * (piece.active[i] ? piece.multipliers.slope[i]
-                                                  : piece.gaps.slope[i]);
-  const bool adheres = update_adhesion();
-  const bool others_slip = update_slips(travel, false);
-  if (adheres || others_slip)
-    remake_conditions();
-  // Where many change at once they are found a little beyond.
-  if (adheres || others_slip || slope < 0 || is_before(end_of_piece, beyond))
-    {
-      settle(beyond);
-      if (is_before(end_of_piece, beyond))
-        end_of_piece = beyond;
-    }
+  update_adhesion(touched, beyond);
   // With friction the contacts may spring from one equilibrium to another.
   return before - energy()(travel);
 }

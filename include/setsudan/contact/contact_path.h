@@ -60,8 +60,8 @@ namespace Setsudan
  * with a multiplier theta that exerts the same, as long as |theta| is not more
  * than mu times the pressure, and what adhesion adds. Beyond that it slips, one
  * way or the other, until the blade does not slip that way along it. All of
- * these changes are breakpoints, too. Adhesion is a traction of its own on the
- * hats that were in contact at the last breakpoint.
+ * these changes are breakpoints, too. Adhesion is a traction of its own on hats
+ * from when they come to touch until they come apart.
  */
 template <int dim>
 class ContactPath
@@ -262,6 +262,12 @@ private:
   void
   settle(const double travel);
 
+  /** Let a condition become active, or no longer. */
+  void
+  change_condition(const unsigned int condition,
+                   const double travel,
+                   const double beyond);
+
   /** How far a wall at a hat is behind the edge, over the travel. */
   std::array<double, 2>
   distance_behind_edge(const unsigned int hat, const Wall wall) const;
@@ -300,10 +306,17 @@ private:
   bool
   update_slips(const double travel, const bool one);
 
-  /** Let those walls adhere that touch; whether any had not done so, or ceases
-   * to. */
-  bool
-  update_adhesion();
+  /** The walls that touch, and whether each does. */
+  std::vector<bool>
+  touching() const;
+
+  /** Let walls adhere that touch now and did not, and no longer those that did
+   * and do not. What that itself opens and closes changes no more: with
+   * adhesion there need not be a state in which just those adhere that touch.
+   *
+   * @param touched the walls that did. */
+  void
+  update_adhesion(const std::vector<bool> &touched, const double travel);
 
   /** What one must become, if it is to change. */
   std::optional<int>
@@ -358,6 +371,11 @@ private:
   moved(const unsigned int hat,
         const Wall wall,
         const typename ContactBasis<dim>::Component component) const;
+
+  /** What the condition of a wall that sticks measures, over the travel; also
+   * of another stage. */
+  std::array<double, 2>
+  moved_along_flank(const Condition &stick) const;
 
   /** The energy that friction takes for a multiplier of 1 while the blade
    * travels and a wall moves along and aside. */
