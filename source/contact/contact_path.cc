@@ -123,7 +123,9 @@ ContactPath<dim>::update_facets(const double travel,
       const bool is_past   = k + 1 < profile.facets.size() &&
                            s >= profile.facets[k + 1].begin + tolerance;
       const bool is_ahead = k > 0 && s < profile.facets[k].begin - tolerance;
-      const bool may_turn = back && !piece.active[i];
+      const bool adheres =
+        !adhering.empty() && adhering[place_of_wall(h, wall)];
+      const bool may_turn = back && !piece.active[i] && !adheres;
       if (is_past && (heading > 0 || may_turn))
         {
           ++k;
@@ -275,12 +277,13 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
 
 
 template <int dim>
-void
+double
 ContactPath<dim>::head(const int way, const double travel)
 {
   if (way == heading)
-    return;
-  heading = way;
+    return 0;
+  const double before = energy()(travel);
+  heading             = way;
   if (sliding.rubs())
     {
       has_turned = true;
@@ -288,6 +291,7 @@ ContactPath<dim>::head(const int way, const double travel)
       remake_conditions();
     }
   settle(travel);
+  return before - energy()(travel);
 }
 
 

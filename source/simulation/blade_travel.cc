@@ -177,8 +177,10 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
   const double goal = goal_of(motion);
   if (goal != motion.travel)
-    path->head(goal > motion.travel ? 1 : -1, motion.travel);
-  search->begin(body, of_cut, row, *path, motion);
+    motion.excess_energy +=
+      path->head(goal > motion.travel ? 1 : -1, motion.travel);
+  if (goal >= motion.travel)
+    search->begin(body, of_cut, row, *path, motion);
   const auto split       = follow(motion, goal);
   motion.n_rows_to_split = split ? split->n_rows : 0;
   if (!split && std::isfinite(goal))

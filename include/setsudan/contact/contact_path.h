@@ -96,8 +96,10 @@ public:
 
   /** Follow smaller travels from here on, or larger ones again.
    *
-   * @param heading 1 for larger ones, -1 for smaller ones. */
-  void
+   * @param heading 1 for larger ones, -1 for smaller ones.
+   * @return the energy that is lost, where adhesion turns round on walls that
+   *   do not touch. */
+  double
   head(const int heading, const double travel);
 
   /** Up to where the present contacts hold on the blade's way; infinite where
