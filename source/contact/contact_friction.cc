@@ -10,9 +10,13 @@ using namespace dealii;
 
 namespace
 {
-/** Friction, or a slip along the travel, that differs by less is the same,
- * relative to the largest. */
+/** A slip along the travel that differs by less is the same, relative to the
+ * blade's way. */
 constexpr double slip_tolerance = 1e-9;
+
+/** Friction that differs by less is the same, relative to the largest: in
+ * slender bodies that is round-off. */
+constexpr double friction_tolerance = 1e-7;
 } // namespace
 
 
@@ -161,7 +165,7 @@ ContactPath<dim>::other_way(const unsigned int i,
   const auto [limit, rise] = largest_friction(i);
   const double theta       = piece.multipliers(i + 1, travel);
   const double rate        = heading * piece.multipliers.slope[i + 1];
-  const double tolerance   = slip_tolerance * largest;
+  const double tolerance   = friction_tolerance * largest;
   const int sign = (std::abs(theta) > tolerance ? theta : rate) > 0 ? 1 : -1;
   const double beyond = sign * theta - (limit + travel * rise);
   // What has just begun to stick is at its limit.
