@@ -223,10 +223,16 @@ def rate_rows(options, _):
                   cut.change("time"), 1e-9)
 
 
-def tip_rows(options, long):
+def stored_in_arms(tilt, travel, crack):
+    """By beams that a wedge opens at their tips, whose inner sides turn towards it."""
+    length = crack + .673 * ARM
+    opening = tilt * travel / (1 - .75 * tilt * ARM / length)
+    return 3 / (1 - .3 ** 2) * ARM ** 3 / 12 * opening ** 2 / length ** 3
+
+
+def tip_rows(options, _):
     """A slender wedge between the tips of two arms, pushed and withdrawn."""
-    toughness, friction, tilt = 1e-7, .3, math.tan(math.radians(2))
-    plane, inertia = 1 / (1 - .3 ** 2), ARM ** 3 / 12
+    toughness, tilt, row = 1e-7, math.tan(math.radians(2)), 2 / 160
     scene = {
         **PLANE, "Body/Size": f"{2 * ARM}, 2", "Body/Elements": "8, 160",
         "Cut/Surfaces": "x:4", "Blade/Shape": "wedge", "Blade/Wedge angle": 4,
@@ -234,19 +240,16 @@ def tip_rows(options, long):
     mesh = "4 degrees, 4 through an arm"
     for friction in (0, .3):
         lines = run_table(options, {**scene, "Blade/Friction": friction,
-                                    "Blade/Travel": "0.6, 0.55"})
-        for line in lines:
-            if line["event"] != "deform" or number(line, "travel") < .3:
-                continue
-            if friction:
-                break
-            # Of what the arms store as beams before and after a row splits.
-            stored = [3 * plane * inertia * (tilt * number(line, "travel")) ** 2 /
-                      (number(line, "depth") + more + .673 * ARM) ** 3
-                      for more in (0, 2 / 160)]
-            yield Row("energy release of beams over toughness, "
-                      f"crack {number(line, 'depth'):.4g}", mesh, 1,
-                      (stored[0] - stored[1]) * 160 / 2 / toughness, .015)
+                                    "Blade/Travel": "0.35, 0.3"})
+        yields = [line for line in lines if line["event"] == "deform"]
+        for travel in () if friction else (.2, .3):
+            line = next(line for line in yields if number(line, "travel") > travel)
+            # The mouth's hat, which the wedge touches, is a third of a row from there.
+            stored = [stored_in_arms(tilt, number(line, "travel") - row / 3,
+                                     number(line, "depth") - row / 3 + more)
+                      for more in (0, row)]
+            yield Row(f"energy release of beams over toughness at a travel of {travel}",
+                      mesh, toughness, (stored[0] - stored[1]) / row, .015)
         pushed, withdrawn = (line for line in lines if line["event"] == "travel")
         for line, way, name in ((pushed, 1, "pushed"), (withdrawn, -1, "withdrawn")):
             angle = math.radians(2) + way * math.atan(friction)
