@@ -250,7 +250,7 @@ Complementarity::pivot(ActiveSet active, const Side &side) const
   throw SolverError(
     "There is no equilibrium with contact: the conditions of contact "
     "contradict each other, as they may with much friction. Lower "
-    "Blade/Friction.");
+    "Blade/Friction or Blade/Adhesion.");
 }
 
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace Setsudan
 {
@@ -152,18 +153,25 @@ ContactPath<dim>::settle(const double travel)
   constexpr unsigned int most_at_once = 30;
   const unsigned int most             = most_back + profile.facets.size() +
                             (has_turned ? most_at_once + 20 * slips.size() : 0);
+  bool on_facets = false;
   for (unsigned int round = 0; round <= most; ++round)
     {
       take_piece(travel,
                  [&] { return problem->active_set(travel, piece.active); });
-      if (!update_facets(travel, 1e-2 * smallest_step, round < most_back) &&
-          !update_slips(travel, round > most_at_once))
+      on_facets =
+        !update_facets(travel, 1e-2 * smallest_step, round < most_back);
+      if (on_facets && !update_slips(travel, round > most_at_once))
         return;
       remake_conditions();
     }
+  if (on_facets)
+    throw SolverError("At a travel of " + std::to_string(travel) +
+                      " the walls of the cut neither stick to the blade nor "
+                      "slip along it: with so much friction they spring to "
+                      "another place. Lower Blade/Friction or Blade/Adhesion.");
   throw SolverError("The walls of the cut do not come to rest on the blade's "
                     "shoulder. Set Blade/Shoulder radius larger, or Blade/"
-                    "Profile with more points, or Blade/Friction lower.");
+                    "Profile with more points.");
 }
 
 

@@ -132,10 +132,11 @@ BladeTravel<dim>::follow(BladeMotion &motion, const double goal)
       if (pushes)
         search->cross(travel);
     }
-  throw SolverError("The contact of the blade does not settle at a travel of " +
-                    std::to_string(motion.travel) +
-                    ": walls go on opening and closing. Set Blade/Shoulder "
-                    "radius larger, or Blade/Friction lower.");
+  throw SolverError(
+    "The contact of the blade does not settle at a travel of " +
+    std::to_string(motion.travel) +
+    ": walls go on opening and closing. Set Blade/Shoulder "
+    "radius larger, or Blade/Friction or Blade/Adhesion lower.");
 }
 
 
