@@ -83,9 +83,10 @@ void
 Complementarity::flip(ActiveSet &active, const unsigned int condition) const
 {
   active[condition].flip();
-  for (unsigned int i = 0; i < conditions.leader.size(); ++i)
-    if (conditions.leader[i] == condition)
-      active[i] = active[condition];
+  if (!active[condition])
+    for (unsigned int i = 0; i < conditions.leader.size(); ++i)
+      if (conditions.leader[i] == condition)
+        active[i] = false;
 }
 
 
@@ -262,7 +263,7 @@ Complementarity::active_set(const double p, ActiveSet active) const
   active.resize(size(), false);
   for (unsigned int i = 0; i < size(); ++i)
     if (is_follower(i))
-      active[i] = conditions.leader[i] < size() && active[conditions.leader[i]];
+      active[i] = active[i] && active[conditions.leader[i]];
   std::set<ActiveSet> known;
   while (known.insert(active).second)
     {

@@ -14,7 +14,7 @@ bool
 ContactPath<dim>::Condition::is_same(const Condition &other) const
 {
   return kind == other.kind && place == other.place &&
-         (!is_of_flank() || wall == other.wall);
+         (!is_of_flank() || wall == other.wall) && direction == other.direction;
 }
 
 
@@ -195,6 +195,7 @@ ContactPath<dim>::make_conditions()
       if (products(place, place) > 0)
         conditions.push_back(earlier_walls_condition(i));
     }
+  add_board_conditions();
   make_adhesion();
   make_problem();
 }
@@ -210,7 +211,6 @@ ContactPath<dim>::make_problem()
   std::vector<VectorSum> measured, exerted;
   // Where both flanks touch, whether the walls do follows from that.
   std::vector<unsigned int> redundant;
-  std::vector<unsigned int> leader;
   std::optional<SharedUnknown> blade;
   if (!sliding.is_guided)
     blade = {Vector<double>(n), Vector<double>(n), 0.};
@@ -226,8 +226,6 @@ ContactPath<dim>::make_problem()
           factor * (displacement_at_rest[a] + moved_by_adhesion[a]);
       if (conditions[i].kind == Kind::walls)
         redundant.push_back(i);
-      // A wall sticks while its flank, the condition before, touches.
-      leader.push_back(conditions[i].kind == Kind::stick ? i - 1 : i);
       if (!blade || !conditions[i].is_of_flank())
         continue;
       // The unknown is how far it goes from where it rested.
@@ -249,7 +247,8 @@ ContactPath<dim>::make_problem()
                                                         std::move(required),
                                                         std::move(blade),
                                                         std::move(redundant),
-                                                        std::move(leader)});
+                                                        make_leaders(),
+                                                        make_foundation()});
 }
 
 
@@ -275,6 +274,8 @@ ContactPath<dim>::remake_conditions()
           o               = same - others.begin();
           piece.active[i] = active[o];
         }
+      else if (conditions[i].kind == Kind::stick)
+        piece.active[i] = piece.active[i - 1];
     }
 }
 

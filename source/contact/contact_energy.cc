@@ -30,7 +30,34 @@ ContactPath<dim>::energy() const
       add(conditions[i], constant[i], slope[i]);
   for (const auto &[condition, strength] : adhesions)
     add(condition, strength, 0);
+  add_foundation_energy(result);
   return result;
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::add_foundation_energy(Quadratic &energy) const
+{
+  const auto &[constant, slope] = piece.springs;
+  for (unsigned int i = 0; i < constant.size(); ++i)
+    if (const double stiffness = conditions[i].spring; stiffness > 0)
+      {
+        for (const auto &[a, factor] : conditions[i].measured)
+          {
+            const double u0 =
+              factor *
+              (piece.displacements.constant[a] + moved_by_adhesion[a]) / 2;
+            const double u1 = factor * piece.displacements.slope[a] / 2;
+            energy.c[0] += constant[i] * u0;
+            energy.c[1] += constant[i] * u1 + slope[i] * u0;
+            energy.c[2] += slope[i] * u1;
+          }
+        energy.c[0] -= constant[i] * constant[i] / (2 * stiffness);
+        energy.c[1] -= constant[i] * slope[i] / stiffness;
+        energy.c[2] -= slope[i] * slope[i] / (2 * stiffness);
+      }
 }
 
 
@@ -159,6 +186,10 @@ ContactPath<dim>::friction_work(const double begin, const double end) const
         (piece.multipliers(i, begin) + piece.multipliers(i, end)) / 2;
       if (condition.is_of_flank() && sliding.rubs())
         work += mean * taken(condition);
+      if (condition.kind == Kind::board)
+        work += mean * board_dissipation(condition,
+                                         place_on_board(condition.place, begin),
+                                         place_on_board(condition.place, end));
       // The edge slips along the front as far as it does not grip.
       if (condition.kind == Kind::edge)
         work +=
@@ -175,6 +206,7 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
 {
   using Component = typename ContactBasis<dim>::Component;
   Quadratic work;
+  add_board_friction_to(after, work);
   if (!sliding.rubs())
     return work;
   // How far a component of a wall moves as rows split, over the travel.
@@ -244,21 +276,59 @@ ContactPath<dim>::contact_area() const
 
 
 template <int dim>
-std::vector<double>
-ContactPath<dim>::forces(const double travel) const
+std::vector<unsigned int>
+ContactPath<dim>::vectors_of_places() const
 {
   std::vector<unsigned int> vector_at(products.n());
   for (unsigned int v = 0; v < place_of.size(); ++v)
     if (place_of[v] != numbers::invalid_unsigned_int)
       vector_at[place_of[v]] = v;
+  return vector_at;
+}
+
+
+
+template <int dim>
+std::vector<double>
+ContactPath<dim>::forces_on_vectors(
+  const std::function<double(unsigned int)> &force,
+  const VectorSum Condition::*along) const
+{
+  const auto vector_at = vectors_of_places();
   std::vector<double> result(basis.vectors().size(), 0.);
   for (unsigned int i = 0; i < conditions.size(); ++i)
-    for (const auto &[place, factor] : conditions[i].exerted)
-      result[vector_at[place]] += factor * piece.multipliers(i, travel);
+    for (const auto &[place, factor] : conditions[i].*along)
+      result[vector_at[place]] += factor * force(i);
+  return result;
+}
+
+
+
+template <int dim>
+std::vector<double>
+ContactPath<dim>::forces(const double travel) const
+{
+  auto result = forces_on_vectors(
+    [&](const unsigned int i) { return piece.multipliers(i, travel); },
+    &Condition::exerted);
+  const auto vector_at = vectors_of_places();
   for (const auto &[condition, strength] : adhesions)
     for (const auto &[place, factor] : condition.exerted)
       result[vector_at[place]] += factor * strength;
   return result;
+}
+
+
+
+template <int dim>
+std::vector<double>
+ContactPath<dim>::foundation_forces(const double travel) const
+{
+  return forces_on_vectors(
+    [&](const unsigned int i) {
+      return piece.springs.constant.size() == 0 ? 0. : piece.springs(i, travel);
+    },
+    &Condition::measured);
 }
 
 
@@ -277,7 +347,9 @@ ContactPath<dim>::forces(const double travel) const
   template Quadratic ContactPath<dim>::energy_set_free(const ContactPath &)   \
     const;                                                                    \
   template double ContactPath<dim>::contact_area() const;                     \
-  template std::vector<double> ContactPath<dim>::forces(const double) const;
+  template std::vector<double> ContactPath<dim>::forces(const double) const;  \
+  template std::vector<double> ContactPath<dim>::foundation_forces(           \
+    const double) const;
 
 INSTANTIATE(2)
 INSTANTIATE(3)

@@ -162,6 +162,9 @@ ContactPath<dim>::other_way(const unsigned int i,
         return {};
       return can_stick(condition) ? 0 : -way;
     }
+  // What has come to touch since has no friction before it slips.
+  if (!piece.active[i + 1])
+    return heading;
   const auto [limit, rise] = largest_friction(i);
   const double theta       = piece.multipliers(i + 1, travel);
   const double rate        = heading * piece.multipliers.slope[i + 1];
@@ -237,6 +240,7 @@ ContactPath<dim>::find_end_of_sticking(const double travel)
             continue;
           end_of_piece = p;
           ending_condition.reset();
+          slipping_condition.reset();
           ending_slip = {i - 1, sign};
         }
     }

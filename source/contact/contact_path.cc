@@ -31,6 +31,7 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   , smallest_step(smallest_step)
   , facets(2 * basis.hats().size(), 0)
   , slips(2 * basis.hats().size())
+  , grips(basis.n_board_corners())
 {
   std::vector<unsigned int> used;
   const auto use = [&](const unsigned int vector) {
@@ -46,6 +47,8 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
       use(basis.vector_of_edge_node(n));
   for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
     use(basis.first_vector_of_earlier_corners() + i);
+  for (unsigned int i = 0; i < dim * basis.n_board_corners(); ++i)
+    use(basis.vector_of_board_corner(0, 0) + i);
   const unsigned int loads = basis.vectors().size();
   products.reinit(used.size());
   for (unsigned int j = 0; j < used.size(); ++j)
@@ -160,7 +163,9 @@ ContactPath<dim>::settle(const double travel)
                  [&] { return problem->active_set(travel, piece.active); });
       on_facets =
         !update_facets(travel, 1e-2 * smallest_step, round < most_back);
-      if (on_facets && !update_slips(travel, round > most_at_once))
+      const bool slip = on_facets && update_slips(travel, round > most_at_once);
+      const bool grip = update_grips(travel, round == 0);
+      if (on_facets && !slip && !grip)
         return;
       remake_conditions();
     }
@@ -196,6 +201,7 @@ ContactPath<dim>::take_piece(const double travel,
                                ? std::optional<unsigned int>()
                                : std::optional<unsigned int>(ends[0].condition);
   ending_slip.reset();
+  end_at_slip(travel);
   find_end_of_facets(travel);
   find_end_of_sticking(travel);
 }
@@ -235,6 +241,7 @@ ContactPath<dim>::find_end_of_facets(const double travel)
         {
           end_of_piece = p;
           ending_condition.reset();
+          slipping_condition.reset();
         }
     }
 }
@@ -243,7 +250,9 @@ ContactPath<dim>::find_end_of_facets(const double travel)
 
 template <int dim>
 void
-ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
+ContactPath<dim>::begin(const BladeMotion &motion,
+                        const ContactPath *neighbour,
+                        const std::vector<double> &measured)
 {
   resting_shift = motion.shift;
   std::vector<bool> touched(facets.size(), false);
@@ -255,6 +264,7 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
       has_turned   = neighbour->has_turned;
       adhering     = neighbour->adhering;
       touched      = neighbour->touching();
+      grips        = neighbour->grips;
       conditions   = neighbour->conditions;
       piece.active = neighbour->piece.active;
       remake_conditions();
@@ -272,9 +282,16 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
             slips = earlier.slips;
           adhering = earlier.adhering;
         }
+      begin_grips(measured, earlier.board);
       make_conditions();
       if (earlier.active.size() == conditions.size())
         piece.active = earlier.active;
+      else
+        // The body lies on its board.
+        for (const auto &condition : conditions)
+          piece.active.push_back(
+            condition.kind == Kind::board ||
+            (condition.kind == Kind::grip && basis.board()->friction > 0));
     }
   settle(motion.travel);
   // Those of a path that is gone on with are known.
@@ -320,6 +337,12 @@ ContactPath<dim>::change_condition(const unsigned int i,
                                    const double beyond)
 {
   problem->flip(piece.active, i);
+  if (conditions[i].kind == Kind::board && piece.active[i] &&
+      basis.board()->friction > 0)
+    {
+      let_stick(i, travel);
+      remake_conditions();
+    }
   take_piece(travel, [&] { return piece.active; });
   const double slope = heading * (piece.active[i] ? piece.multipliers.slope[i]
                                                   : piece.gaps.slope[i]);
@@ -332,6 +355,11 @@ ContactPath<dim>::change_condition(const unsigned int i,
       settle(beyond);
       if (is_before(end_of_piece, beyond))
         end_of_piece = beyond;
+    }
+  else if (update_grips(travel, true))
+    {
+      remake_conditions();
+      settle(travel);
     }
 }
 
@@ -346,7 +374,13 @@ ContactPath<dim>::cross_end()
   const double before = energy()(travel);
   const double beyond = travel + heading * smallest_step;
   const auto touched  = touching();
-  if (ending_condition)
+  if (slipping_condition)
+    {
+      let_slip(*slipping_condition, travel);
+      remake_conditions();
+      settle(travel);
+    }
+  else if (ending_condition)
     change_condition(*ending_condition, travel, beyond);
   else
     {

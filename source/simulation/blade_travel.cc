@@ -42,19 +42,6 @@ move_to(const double travel,
 
 
 
-/** The potential energy of a body under its loads without the blade's forces.
- */
-template <int dim>
-double
-energy_under_loads(const State<dim> &state)
-{
-  LA::Vector loads = state.forces;
-  loads -= state.blade.nodal_forces;
-  return state.strain_energy - loads * state.displacement;
-}
-
-
-
 /** @throw InvariantError where the blade's work is not the sum of what it has
  * become. */
 template <int dim>
@@ -95,12 +82,13 @@ BladeTravel<dim>::BladeTravel(const Scene<dim> &scene)
 
 template <int dim>
 CutContact<dim> &
-BladeTravel<dim>::contact(CutBody<dim> &body)
+BladeTravel<dim>::contact(CutBody<dim> &body, const State<dim> &from)
 {
   if (!cut_contact || !cut_contact->is_of(body))
     {
       path.reset();
-      cut_contact = std::make_unique<CutContact<dim>>(body, profile);
+      cut_contact =
+        std::make_unique<CutContact<dim>>(body, profile, from.displacement);
     }
   return *cut_contact;
 }
@@ -148,8 +136,8 @@ BladeTravel<dim>::solve(CutBody<dim> &body,
                         const BladeMotion &motion,
                         const State<dim> &from)
 {
-  State<dim> state = solve_state(
-    body, contact(body).load(*path, row, motion.travel), 1, from.displacement);
+  State<dim> state =
+    cut_contact->state(*path, row, motion.travel, from.displacement);
   state.motion                 = motion;
   state.motion->edge_force     = path->edge_force()(motion.travel);
   state.motion->flank_force    = path->flank_force()(motion.travel);
@@ -173,7 +161,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   BladeMotion motion = from.motion.value_or(BladeMotion());
   if (!from.motion)
     motion.energy_at_rest = from.potential_energy;
-  CutContact<dim> &of_cut = contact(body);
+  CutContact<dim> &of_cut = contact(body, from);
   if (!path)
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
   const double goal = goal_of(motion);
@@ -203,7 +191,7 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
 {
   BladeMotion motion        = *from.motion;
   const unsigned int before = row - motion.n_rows_to_split;
-  CutContact<dim> &of_cut   = contact(body);
+  CutContact<dim> &of_cut   = contact(body, from);
   if (!path)
     path = of_cut.path(before, row - before, motion, nullptr);
   auto split =
@@ -259,9 +247,13 @@ template <int dim>
 State<dim>
 BladeTravel<dim>::finish(CutBody<dim> &body, const State<dim> &from)
 {
-  State<dim> state = Drive<dim>::finish(body, from);
-  state.motion     = from.motion;
-  state.motion->work += state.potential_energy - energy_under_loads(from);
+  CutContact<dim> &of_cut = contact(body, from);
+  path                    = of_cut.path_without_blade(*from.motion, path.get());
+  State<dim> state        = of_cut.state(
+    *path, body.seam().rows().size(), from.motion->travel, from.displacement);
+  state.blade.row.reset();
+  state.motion = from.motion;
+  state.motion->work += energy_under_loads(state) - energy_under_loads(from);
   state.motion->edge_force       = state.motion->flank_force =
     state.motion->friction_force = state.motion->force_along =
       state.motion->contact_area = 0;

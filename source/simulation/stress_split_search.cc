@@ -27,11 +27,8 @@ template <int dim>
 LinearResponse
 StressSplitSearch<dim>::response_at(const double travel) const
 {
-  const State<dim> state =
-    solve_state(*body,
-                contact->load(*path, row, travel),
-                1,
-                body->model().discretization.zero_vector());
+  const State<dim> state = contact->state(
+    *path, row, travel, body->model().discretization.zero_vector());
   return {state.displacement, state.forces, lift_of(*body, state), 1};
 }
 

@@ -39,13 +39,15 @@ struct BladeContacts
   std::vector<WallSlip> slips;
   /** The walls that adhere to it. */
   std::vector<bool> adhering;
+  /** How the corners on a board hold: see BoardGrip. */
+  std::vector<double> board;
 
   /** For boost::serialization. */
   template <typename Archive>
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &facets &active &resting_shift &heading &slips &adhering;
+    archive &facets &active &resting_shift &heading &slips &adhering &board;
   }
 };
 

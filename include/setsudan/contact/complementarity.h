@@ -77,11 +77,11 @@ struct ContactConditions
   /** Those that may follow from others; each has a little compliance of its
    * own, which tells their multipliers apart. */
   std::vector<unsigned int> redundant = {};
-  /** The leader of each: its own number, or that of another condition. While
-   * that one is active, a follower is an equation, gap = 0 with a multiplier of
-   * any sign, and else it is not there, as of a wall that sticks. Of an invalid
-   * leader it is never there, and has a spring to take out. Empty: none
-   * follows. */
+  /** The leader of each: its own number, or that of another condition. A
+   * follower is an equation, gap = 0 with a multiplier of any sign, as of a
+   * wall that sticks. It is there where an active set has it, and ends with its
+   * leader; it does not begin again with it, since what comes to touch has no
+   * friction before it slips. Empty: none follows. */
   std::vector<unsigned int> leader     = {};
   std::optional<Foundation> foundation = {};
 };
@@ -158,7 +158,8 @@ public:
   ActiveSet
   active_set(const double p, ActiveSet guess = {}) const;
 
-  /** Let a condition become active, or no longer, and what follows it. */
+  /** Let a condition become active, or no longer, and then end what follows
+   * it. */
   void
   flip(ActiveSet &active, const unsigned int condition) const;
 

@@ -3,6 +3,7 @@
 
 #include <setsudan/blade/blade_edge.h>
 #include <setsudan/blade/sliding_blade.h>
+#include <setsudan/contact/board.h>
 #include <setsudan/cut/seam/seam.h>
 #include <setsudan/cut/surface/cut_surface.h>
 #include <setsudan/solver/condensed/unknown_forces.h>
@@ -25,14 +26,8 @@ struct CutFaces
  * combination of unknowns: as a row it gives a mean displacement, as a force it
  * is what a contact pressure exerts.
  *
- * Pressure is interpolated by the hats psi of the corners of element faces,
- * which are linear along each line, and gaps are weighted with them. With the
- * faces' own shape functions N, node k has the weight
- *   M_k = integral of psi N_k,
- * so that a uniform pressure exerts just the forces that are in equilibrium
- * with a uniform stress, also on faces of serendipity elements, whose corners
- * take negative forces. Pressure is not negative where its values at the
- * corners are not.
+ * Pressure and gaps are those of the hats of the corners of element faces, see
+ * FaceHat.
  */
 template <int dim>
 class ContactBasis
@@ -84,13 +79,18 @@ public:
    * @param surface the faces of the cut.
    * @param earlier the cuts before it, whose walls may meet.
    * @param sliding whether there is a component aside, and how far the edge
-   * drags the front. */
+   *   drags the front.
+   * @param board null if there is none; it must live as long. */
   ContactBasis(const ElasticModel<dim> &model,
                const CutSurface<dim> &surface,
                const Seam<dim> &seam,
                const BladeEdge<dim> &edge,
                const SlidingBlade &sliding,
-               const std::vector<CutFaces<dim>> &earlier);
+               const std::vector<CutFaces<dim>> &earlier,
+               const BoardContacts<dim> *board);
+
+  /** Of a body without a cut, on a board. */
+  ContactBasis(const MPI_Comm communicator, const BoardContacts<dim> &board);
 
   MPI_Comm
   communicator() const
@@ -134,12 +134,33 @@ public:
   unsigned int
   n_earlier_corners() const
   {
-    return all_vectors.size() - first_vector_of_earlier_corners();
+    return n_corners_of_earlier_cuts;
   }
   unsigned int
   first_vector_of_earlier_corners() const
   {
     return vector_of_edge_node(all_edge_nodes.size());
+  }
+
+  /** The board, or null. */
+  const BoardContacts<dim> *
+  board() const
+  {
+    return the_board;
+  }
+  unsigned int
+  n_board_corners() const
+  {
+    return the_board ? the_board->corners().size() : 0;
+  }
+  /** The vector of a corner on the board along one of the board's directions.
+   */
+  unsigned int
+  vector_of_board_corner(const unsigned int corner,
+                         const unsigned int direction) const
+  {
+    return first_vector_of_earlier_corners() + n_corners_of_earlier_cuts +
+           dim * corner + direction;
   }
 
   const std::vector<UnknownForces> &
@@ -154,11 +175,16 @@ private:
   void
   add_earlier_walls(const ElasticModel<dim> &model, const CutFaces<dim> &cut);
 
+  void
+  add_board(const BoardContacts<dim> &board);
+
   const SlidingBlade sliding;
   const MPI_Comm mpi_communicator;
+  const BoardContacts<dim> *const the_board;
 
   std::vector<Hat> all_hats;
   std::vector<EdgeNode> all_edge_nodes;
   std::vector<UnknownForces> all_vectors;
+  unsigned int n_corners_of_earlier_cuts = 0;
 };
 } // namespace Setsudan

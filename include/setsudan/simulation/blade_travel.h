@@ -41,7 +41,7 @@ public:
 
 private:
   CutContact<dim> &
-  contact(CutBody<dim> &body);
+  contact(CutBody<dim> &body, const State<dim> &from);
 
   /** The next stop on the blade's path, or infinity. */
   double
