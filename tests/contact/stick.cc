@@ -53,7 +53,8 @@ struct Columns
             body.seam(),
             body.cut().edge,
             sliding,
-            {})
+            {},
+            nullptr)
     , products(products_of_columns(basis))
     , path(basis,
            profile,
