@@ -9,6 +9,7 @@ PARTS = (("edge", "C0", lambda line: line["edge_force"]),
          ("flanks", "C1", lambda line: line["flank_force"] - line["friction_force"]),
          ("friction", "C3", lambda line: line["friction_force"]))
 ALL_CUT = "divide"
+STATES = ("deform", "release", "travel")
 
 
 def travels(run):
@@ -16,18 +17,23 @@ def travels(run):
     return "travel" in run.statistics[-1]
 
 
+def turns(lines):
+    """Whether the blade is withdrawn between some."""
+    return any(line["travel"] < before["travel"] for before, line in zip(lines, lines[1:]))
+
+
 def plot_curve(run, title, name):
-    """NAME.png and NAME.pdf: the parts stacked, the mean force between yields, and
-    where the cut begins and ends."""
+    """NAME.png and NAME.pdf: the parts stacked, or where the blade turns the force and its
+    friction; the mean force between yields, and where the cut begins and ends."""
     with plt.rc_context({"font.size": 8, "axes.linewidth": 0.6}):
         figure, panels = plt.subplots(len(run.cuts), 1, squeeze=False,
                                       figsize=(4.2, 2.8 * len(run.cuts)),
                                       constrained_layout=True)
         for cut, axes in zip(run.cuts, panels[:, 0]):
             lines = [line for line in run.statistics
-                     if line["cut"] == cut and line["event"] in ("deform", "release")]
+                     if line["cut"] == cut and line["event"] in STATES]
             if lines:
-                plot_parts(axes, run, lines)
+                (plot_loop if turns(lines) else plot_parts)(axes, run, lines)
                 mark(axes, run, cut, lines)
                 mark_steady(axes, run, yields_of(run, cut))
             axes.set_ylabel(label("force", run, "Force unit"))
@@ -118,14 +124,27 @@ def plot_parts(axes, run, lines):
     axes.grid(alpha=0.3, linewidth=0.5)
 
 
+def plot_loop(axes, run, lines):
+    """A blade that is pushed and withdrawn: its force from state to state."""
+    travels = [0.0] + [line["travel"] for line in lines]
+    for name, colour, text in (("blade_force", "k", "force"),
+                               ("friction_force", "C3", "friction")):
+        axes.plot(travels, [0.0] + [line[name] for line in lines], "-", color=colour,
+                  linewidth=1, label=text)
+    axes.axhline(0, color="0.4", linewidth=0.6)
+    axes.grid(alpha=0.3, linewidth=0.5)
+
+
 def mark(axes, run, cut, lines):
-    """The first yield, and where the blade comes out or is arrested."""
-    first = next(line for line in lines if line["event"] == "deform")
+    """The first yield, and where the blade comes out, is arrested or rests."""
+    first = next((line for line in lines if line["event"] == "deform"), None)
     ends = [line for line in run.statistics if line["cut"] == cut and
             line["event"] in (ALL_CUT, "arrest")]
-    words = [(first, "yields at " + with_unit(first["blade_force"], run, "Force unit"))]
-    words += [(line, "through" if line["event"] == ALL_CUT else "arrested")
-              for line in ends]
+    stops = any(line["event"] == "travel" for line in lines)
+    words = [(first, "yields at " + with_unit(first["blade_force"], run, "Force unit"))
+             ] if first else []
+    words += [(line, "through" if line["event"] == ALL_CUT else
+               "ends" if stops else "arrested") for line in ends]
     for line, text in words:
         axes.axvline(line["travel"], color="0.4", linestyle=":", linewidth=0.8)
         axes.annotate(text, (line["travel"], 1), xycoords=("data", "axes fraction"),
@@ -136,7 +155,7 @@ def mark(axes, run, cut, lines):
 
 def mark_steady(axes, run, yields):
     """The mean force while the front is in the middle half of the cut."""
-    deepest = yields[-1]["depth"]
+    deepest = yields[-1]["depth"] if yields else 0
     middle = [line for line in yields if deepest / 4 <= line["depth"] <= 3 * deepest / 4]
     if len(middle) < 3:
         return

@@ -16,7 +16,7 @@ def stage(run, frame):
 
 
 def stage_of_cut(events, line):
-    if "arrest" in events:
+    if "arrest" in events and "travel" not in events:
         return f"arrested at row {line['row'] + 1}"
     if line["released_rows"] == 0:
         return "deformed"
@@ -25,7 +25,7 @@ def stage_of_cut(events, line):
 
 def loaded(run, frame):
     """The line of a state under the blade."""
-    lines = [line for line in run.events(frame) if line["event"] == "deform"]
+    lines = [line for line in run.events(frame) if line["event"] in ("deform", "travel")]
     return lines[-1] if lines and lines[-1]["blade_force"] else None
 
 

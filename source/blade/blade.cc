@@ -68,14 +68,14 @@ declare_sliding(ParameterHandler &handler)
                     Patterns::Double(),
                     "Coulomb's coefficient between the flanks and the walls of "
                     "the cut, at least 0 [-].");
-  Setsudan::declare(
-    handler,
-    "Blade",
-    "Speed",
-    "0",
-    Patterns::Double(),
-    "Of a blade that travels, which gives its way a time; 0 if it "
-    "is not known [length/time].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Adhesion",
+                    "0",
+                    Patterns::Double(),
+                    "Shear strength of the contact between the flanks and the "
+                    "walls, beside Friction and whatever the pressure, at "
+                    "least 0 [force/length^2].");
   Setsudan::declare(
     handler,
     "Blade",
@@ -124,6 +124,7 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
     "along Direction, and the force is the reaction.");
   declare_body(handler);
   declare_sliding(handler);
+  BladePath::declare(handler);
   Setsudan::declare(handler,
                     "Blade",
                     "Direction",
@@ -209,6 +210,7 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
   : sharpness(parameters.number("Blade", "Sharpness"))
   , thickness(parameters.number("Blade", "Thickness"))
   , travels(parameters.text("Blade", "Drive") == "travel")
+  , path(parameters, travels)
 {
   read_sliding(parameters);
   read_shape(parameters);
@@ -245,12 +247,21 @@ BladeParameters<dim>::read_sliding(const Parameters &parameters)
     return value;
   };
   sliding.friction = read("Friction");
-  speed            = read("Speed");
+  sliding.adhesion = read("Adhesion");
   sliding.slice    = read("Slice-push ratio");
   parameters.require(dim == 3 || sliding.slice == 0,
                      "Blade",
                      "Slice-push ratio",
                      "0 in 2D, where the edge is a point");
+  parameters.require(sliding.slice == 0 || !path.turns(),
+                     "Blade",
+                     "Travel",
+                     "positions that ascend where Blade/Slice-push ratio is "
+                     "more than 0: a blade that slices is not withdrawn");
+  parameters.require(sliding.slice == 0 || sliding.adhesion == 0,
+                     "Blade",
+                     "Adhesion",
+                     "0 where Blade/Slice-push ratio is more than 0");
   sliding.grip = parameters.text("Blade", "Edge grip").empty()
                    ? sliding.slice
                    : parameters.numbers("Blade", "Edge grip", 1)[0];
@@ -324,6 +335,10 @@ BladeParameters<dim>::read_shape(const Parameters &parameters)
                      "Blade",
                      "Guide",
                      "fixed where Blade/Shape is line");
+  parameters.require(sliding.adhesion == 0 || sliding.is_guided,
+                     "Blade",
+                     "Adhesion",
+                     "0 where Blade/Guide is free");
   if (shape == "line")
     return;
   parameters.require(

@@ -251,7 +251,7 @@ Complementarity::pivot(ActiveSet active, const Side &side) const
   throw SolverError(
     "There is no equilibrium with contact: the conditions of contact "
     "contradict each other, as they may with much friction. Lower "
-    "Blade/Friction.");
+    "Blade/Friction or Blade/Adhesion.");
 }
 
 
@@ -303,7 +303,9 @@ Complementarity::piece(const ActiveSet &active) const
 
 
 std::optional<Complementarity::Breakpoint>
-Complementarity::end_of(const Piece &piece, const double p) const
+Complementarity::end_of(const Piece &piece,
+                        const double p,
+                        const int heading) const
 {
   const auto falling = [&](const unsigned int i) -> const LinearInParameter & {
     return piece.active[i] ? piece.multipliers : piece.gaps;
@@ -316,11 +318,11 @@ Complementarity::end_of(const Piece &piece, const double p) const
   std::optional<Breakpoint> end;
   for (unsigned int i = 0; i < size(); ++i)
     {
-      const double slope = falling(i).slope[i];
+      const double slope = heading * falling(i).slope[i];
       if (is_follower(i) || slope >= -round_off * largest[piece.active[i]])
         continue;
-      const double zero = p + std::max(falling(i)(i, p), 0.) / -slope;
-      if (!end || zero < end->p)
+      const double zero = p + heading * std::max(falling(i)(i, p), 0.) / -slope;
+      if (!end || heading * (zero - end->p) < 0)
         end = {zero, i};
     }
   return end;

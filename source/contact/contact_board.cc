@@ -136,7 +136,7 @@ template <int dim>
 std::vector<unsigned int>
 ContactPath<dim>::make_leaders() const
 {
-  if (basis.n_board_corners() == 0)
+  if (basis.n_board_corners() == 0 && !has_turned)
     return {};
   std::vector<unsigned int> leaders;
   unsigned int last_board = 0;
@@ -144,7 +144,10 @@ ContactPath<dim>::make_leaders() const
     {
       if (conditions[i].kind == Kind::board)
         last_board = i;
-      leaders.push_back(conditions[i].kind == Kind::grip ? last_board : i);
+      // A wall sticks while its flank, the condition before, touches.
+      leaders.push_back(conditions[i].kind == Kind::grip    ? last_board
+                        : conditions[i].kind == Kind::stick ? i - 1
+                                                            : i);
     }
   return leaders;
 }
@@ -161,8 +164,8 @@ ContactPath<dim>::place_on_board(const unsigned int corner,
     {
       const unsigned int place =
         place_of[basis.vector_of_board_corner(corner, c + 1)];
-      measured[c] =
-        displacement_at_rest[place] + piece.displacements(place, travel);
+      measured[c] = displacement_at_rest[place] + moved_by_adhesion[place] +
+                    piece.displacements(place, travel);
     }
   return measured;
 }
@@ -263,7 +266,7 @@ ContactPath<dim>::update_grip(const unsigned int board, const double travel)
   const unsigned int corner = conditions[board].place;
   const auto [begin, end]   = grips_of(board);
   auto &slip                = grips[corner].slip;
-  const auto place          = place_on_board(corner, travel + step);
+  const auto place          = place_on_board(corner, travel + heading * step);
   double forward = 0, way = 0;
   for (unsigned int c = 0; c + 1 < dim; ++c)
     {
@@ -345,18 +348,22 @@ ContactPath<dim>::end_at_slip(const double travel)
           !piece.active[grips_of(i).first])
         continue;
       // Far beyond the last change there is none.
-      const double end       = std::isfinite(end_of_piece)
-                                 ? end_of_piece
-                                 : travel + 1e9 * smallest_step;
-      const Quadratic excess = excess_friction(i);
+      const double end = std::isfinite(end_of_piece)
+                           ? end_of_piece
+                           : travel + heading * 1e9 * smallest_step;
+      // Over the way, on which the travel may fall.
+      Quadratic excess = excess_friction(i);
+      excess.c[1] *= heading;
+      const double way = heading * travel;
       // Right at it the way on decides.
-      if (excess.c[1] + 2 * travel * excess.c[2] <= 0 && excess(travel) >= 0)
+      if (excess.c[1] + 2 * way * excess.c[2] <= 0 && excess(way) >= 0)
         continue;
-      const auto root = excess.first_root(travel, end);
+      const auto root = excess.first_root(way, heading * end);
       // A corner that comes off has neither pressure nor friction there.
-      if (root && *root < end_of_piece - smallest_step)
+      if (root &&
+          is_before(heading * *root + heading * smallest_step, end_of_piece))
         {
-          end_of_piece       = *root;
+          end_of_piece       = heading * *root;
           slipping_condition = i;
           ending_condition.reset();
         }

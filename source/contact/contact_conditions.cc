@@ -14,8 +14,7 @@ bool
 ContactPath<dim>::Condition::is_same(const Condition &other) const
 {
   return kind == other.kind && place == other.place &&
-         (kind != Kind::flank || wall == other.wall) &&
-         direction == other.direction;
+         (!is_of_flank() || wall == other.wall) && direction == other.direction;
 }
 
 
@@ -33,15 +32,24 @@ ContactPath<dim>::place_of_hat(
 
 
 template <int dim>
+double
+ContactPath<dim>::tilt(const unsigned int h, const Wall wall) const
+{
+  return profile.presses_across ? 0. : profile.facets[facet(h, wall)].slope;
+}
+
+
+
+template <int dim>
 typename ContactPath<dim>::Condition
 ContactPath<dim>::flank_condition(const unsigned int h, const Wall wall) const
 {
   using Component = typename ContactBasis<dim>::Component;
   const auto &hat = basis.hats()[h];
   const auto &[begin, half_thickness, slope] = profile.facets[facet(h, wall)];
-  const double mu =
-    sliding.friction / std::sqrt(1 + sliding.slice * sliding.slice);
-  const double tilt          = profile.presses_across ? 0. : slope;
+  const double mu = slips[place_of_wall(h, wall)].way * sliding.friction /
+                    std::sqrt(1 + sliding.slice * sliding.slice);
+  const double tilt          = this->tilt(h, wall);
   const double length        = std::sqrt(1 + tilt * tilt);
   const double rubbed        = mu * sliding.slice * length;
   const unsigned int outward = place_of_hat(h, wall, Component::outward);
@@ -65,6 +73,32 @@ ContactPath<dim>::flank_condition(const unsigned int h, const Wall wall) const
   condition.aside       = hat.area * rubbed;
   condition.dissipation = {
     {hat.area * mu * length * length, hat.area * rubbed}};
+  return condition;
+}
+
+
+
+template <int dim>
+typename ContactPath<dim>::Condition
+ContactPath<dim>::stick_condition(const unsigned int h, const Wall wall) const
+{
+  using Component            = typename ContactBasis<dim>::Component;
+  const auto &hat            = basis.hats()[h];
+  const double tilt          = this->tilt(h, wall);
+  const unsigned int outward = place_of_hat(h, wall, Component::outward);
+  const unsigned int along   = place_of_hat(h, wall, Component::along);
+  Condition condition;
+  condition.kind        = Kind::stick;
+  condition.place       = h;
+  condition.wall        = wall;
+  condition.measured    = {{{outward, -tilt}, {along, 1.}, {along, 0.}}};
+  condition.exerted     = condition.measured;
+  condition.across      = wall == Wall::plus ? -hat.across : hat.across;
+  condition.constant    = slips[place_of_wall(h, wall)].anchor;
+  condition.per_travel  = hat.area;
+  condition.force       = hat.area;
+  condition.friction    = hat.area;
+  condition.dissipation = {{hat.area * (1 + tilt * tilt), 0.}};
   return condition;
 }
 
@@ -138,6 +172,8 @@ ContactPath<dim>::make_conditions()
         for (const Wall wall : {Wall::minus, Wall::plus})
           {
             conditions.push_back(flank_condition(h, wall));
+            if (slips[place_of_wall(h, wall)].way == 0)
+              conditions.push_back(stick_condition(h, wall));
             may_meet = may_meet && profile.is_tip(facet(h, wall));
           }
       // Elsewhere the flanks keep the walls apart.
@@ -160,6 +196,7 @@ ContactPath<dim>::make_conditions()
         conditions.push_back(earlier_walls_condition(i));
     }
   add_board_conditions();
+  make_adhesion();
   make_problem();
 }
 
@@ -185,18 +222,19 @@ ContactPath<dim>::make_problem()
       required.constant[i] = conditions[i].constant;
       required.slope[i]    = conditions[i].per_travel;
       for (const auto &[a, factor] : conditions[i].measured)
-        required.constant[i] -= factor * displacement_at_rest[a];
+        required.constant[i] -=
+          factor * (displacement_at_rest[a] + moved_by_adhesion[a]);
       if (conditions[i].kind == Kind::walls)
         redundant.push_back(i);
-      if (!blade || conditions[i].kind != Kind::flank)
+      if (!blade || !conditions[i].is_of_flank())
         continue;
       // The unknown is how far it goes from where it rested.
       const double across         = conditions[i].across;
       const double area           = basis.hats()[conditions[i].place].area;
       const auto &[out, pressure] = conditions[i].exerted[0];
-      required.constant[i] -= across * resting_shift;
-      blade->measured[i] = across;
-      blade->exerted[i]  = across * pressure;
+      blade->measured[i]          = across * conditions[i].measured[0].second;
+      blade->exerted[i]           = across * pressure;
+      required.constant[i] -= blade->measured[i] * resting_shift;
       softest = std::max(softest, products(out, out) / (area * area));
     }
   // Less than what any number of the results tells.
@@ -236,6 +274,8 @@ ContactPath<dim>::remake_conditions()
           o               = same - others.begin();
           piece.active[i] = active[o];
         }
+      else if (conditions[i].kind == Kind::stick)
+        piece.active[i] = piece.active[i - 1];
     }
 }
 
@@ -247,6 +287,8 @@ ContactPath<dim>::remake_conditions()
     const unsigned int,                                                        \
     const Wall,                                                                \
     const typename ContactBasis<dim>::Component) const;                        \
+  template typename ContactPath<dim>::Condition                                \
+  ContactPath<dim>::stick_condition(const unsigned int, const Wall) const;     \
   template void ContactPath<dim>::make_conditions();                           \
   template void ContactPath<dim>::remake_conditions();
 

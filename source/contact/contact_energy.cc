@@ -9,19 +9,27 @@ template <int dim>
 Quadratic
 ContactPath<dim>::energy() const
 {
-  const auto &[constant, slope] = piece.multipliers;
   Quadratic result;
-  result.c[0] = energy_at_rest;
+  result.c[0]    = energy_at_rest;
+  const auto add = [&](const Condition &condition,
+                       const double constant,
+                       const double slope) {
+    for (const auto &[a, factor] : condition.exerted)
+      {
+        const double u0 =
+          factor * (piece.displacements.constant[a] + moved_by_adhesion[a]) / 2;
+        const double u1 = factor * piece.displacements.slope[a] / 2;
+        result.c[0] += constant * u0;
+        result.c[1] += constant * u1 + slope * u0;
+        result.c[2] += slope * u1;
+      }
+  };
+  const auto &[constant, slope] = piece.multipliers;
   for (unsigned int i = 0; i < conditions.size(); ++i)
     if (piece.active[i])
-      for (const auto &[a, factor] : conditions[i].exerted)
-        {
-          const double u0 = factor * piece.displacements.constant[a] / 2;
-          const double u1 = factor * piece.displacements.slope[a] / 2;
-          result.c[0] += constant[i] * u0;
-          result.c[1] += constant[i] * u1 + slope[i] * u0;
-          result.c[2] += slope[i] * u1;
-        }
+      add(conditions[i], constant[i], slope[i]);
+  for (const auto &[condition, strength] : adhesions)
+    add(condition, strength, 0);
   add_foundation_energy(result);
   return result;
 }
@@ -38,7 +46,9 @@ ContactPath<dim>::add_foundation_energy(Quadratic &energy) const
       {
         for (const auto &[a, factor] : conditions[i].measured)
           {
-            const double u0 = factor * piece.displacements.constant[a] / 2;
+            const double u0 =
+              factor *
+              (piece.displacements.constant[a] + moved_by_adhesion[a]) / 2;
             const double u1 = factor * piece.displacements.slope[a] / 2;
             energy.c[0] += constant[i] * u0;
             energy.c[1] += constant[i] * u1 + slope[i] * u0;
@@ -71,6 +81,21 @@ ContactPath<dim>::sum_over(const Kind kind,
 
 template <int dim>
 Quadratic
+ContactPath<dim>::sum_over_flanks(const double Condition::*factor) const
+{
+  Quadratic sum         = sum_over(Kind::flank, factor);
+  const Quadratic stuck = sum_over(Kind::stick, factor);
+  for (unsigned int i = 0; i < 3; ++i)
+    sum.c[i] += stuck.c[i];
+  for (const auto &[condition, strength] : adhesions)
+    sum.c[0] += strength * (condition.*factor);
+  return sum;
+}
+
+
+
+template <int dim>
+Quadratic
 ContactPath<dim>::edge_force() const
 {
   return sum_over(Kind::edge, &Condition::force);
@@ -82,7 +107,7 @@ template <int dim>
 Quadratic
 ContactPath<dim>::flank_force() const
 {
-  return sum_over(Kind::flank, &Condition::force);
+  return sum_over_flanks(&Condition::force);
 }
 
 
@@ -91,7 +116,7 @@ template <int dim>
 Quadratic
 ContactPath<dim>::friction_force() const
 {
-  return sum_over(Kind::flank, &Condition::friction);
+  return sum_over_flanks(&Condition::friction);
 }
 
 
@@ -100,7 +125,7 @@ template <int dim>
 Quadratic
 ContactPath<dim>::unfelt_force() const
 {
-  return sum_over(Kind::flank, &Condition::unfelt);
+  return sum_over_flanks(&Condition::unfelt);
 }
 
 
@@ -138,22 +163,29 @@ ContactPath<dim>::friction_work(const double begin, const double end) const
   using Component     = typename ContactBasis<dim>::Component;
   const double travel = end - begin;
   double work         = 0;
+  // For a multiplier of 1.
+  const auto taken = [&](const Condition &condition) {
+    const auto moves = [&](const Component component) {
+      return travel * moved(condition.place, condition.wall, component)[1];
+    };
+    return dissipation(condition,
+                       travel,
+                       moves(Component::along),
+                       sliding.rubs_aside() ? moves(Component::aside) : 0.);
+  };
+  // What adheres may have left the blade since the last breakpoint.
+  for (const auto &[condition, strength] : adhesions)
+    work += strength * travel *
+            (condition.per_travel - moved_along_flank(condition)[1]);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     {
       const Condition &condition = conditions[i];
-      const auto moves           = [&](const Component component) {
-        return travel * moved(condition.place, condition.wall, component)[1];
-      };
       if (!piece.active[i])
         continue;
       const double mean =
         (piece.multipliers(i, begin) + piece.multipliers(i, end)) / 2;
-      if (condition.kind == Kind::flank && sliding.friction > 0)
-        work += mean * dissipation(
-                         condition,
-                         travel,
-                         moves(Component::along),
-                         sliding.rubs_aside() ? moves(Component::aside) : 0.);
+      if (condition.is_of_flank() && sliding.rubs())
+        work += mean * taken(condition);
       if (condition.kind == Kind::board)
         work += mean * board_dissipation(condition,
                                          place_on_board(condition.place, begin),
@@ -175,7 +207,7 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
   using Component = typename ContactBasis<dim>::Component;
   Quadratic work;
   add_board_friction_to(after, work);
-  if (sliding.friction == 0)
+  if (!sliding.rubs())
     return work;
   // How far a component of a wall moves as rows split, over the travel.
   const auto moves = [&](const Condition &condition,
@@ -185,24 +217,32 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
     return std::array<double, 2>{
       {behind[0] - before[0], behind[1] - before[1]}};
   };
+  const auto add =
+    [&](const Condition &condition, const double constant, const double slope) {
+      const auto along   = moves(condition, Component::along);
+      const auto aside   = sliding.rubs_aside()
+                             ? moves(condition, Component::aside)
+                             : std::array<double, 2>{};
+      const double slip0 = dissipation(condition, 0, along[0], aside[0]);
+      const double slip1 = dissipation(condition, 0, along[1], aside[1]);
+      work.c[0] += constant / 2 * slip0;
+      work.c[1] += constant / 2 * slip1 + slope / 2 * slip0;
+      work.c[2] += slope / 2 * slip1;
+    };
   for (const ContactPath *path : {this, &after})
-    for (unsigned int i = 0; i < path->conditions.size(); ++i)
-      {
-        const Condition &condition = path->conditions[i];
-        if (!path->piece.active[i] || condition.kind != Kind::flank)
-          continue;
-        const auto along   = moves(condition, Component::along);
-        const auto aside   = sliding.rubs_aside()
-                               ? moves(condition, Component::aside)
-                               : std::array<double, 2>{};
-        const double slip0 = dissipation(condition, 0, along[0], aside[0]);
-        const double slip1 = dissipation(condition, 0, along[1], aside[1]);
-        const double m0    = path->piece.multipliers.constant[i] / 2;
-        const double m1    = path->piece.multipliers.slope[i] / 2;
-        work.c[0] += m0 * slip0;
-        work.c[1] += m0 * slip1 + m1 * slip0;
-        work.c[2] += m1 * slip1;
-      }
+    {
+      const auto &[constant, slope] = path->piece.multipliers;
+      for (unsigned int i = 0; i < path->conditions.size(); ++i)
+        if (path->piece.active[i] && path->conditions[i].is_of_flank())
+          add(path->conditions[i], constant[i], slope[i]);
+      for (const auto &[condition, strength] : path->adhesions)
+        {
+          const auto before = moved_along_flank(condition),
+                     behind = after.moved_along_flank(condition);
+          work.c[0] -= strength / 2 * (behind[0] - before[0]);
+          work.c[1] -= strength / 2 * (behind[1] - before[1]);
+        }
+    }
   return work;
 }
 
@@ -236,15 +276,25 @@ ContactPath<dim>::contact_area() const
 
 
 template <int dim>
-std::vector<double>
-ContactPath<dim>::forces_on_vectors(
-  const std::function<double(unsigned int)> &force,
-  const VectorSum Condition::*along) const
+std::vector<unsigned int>
+ContactPath<dim>::vectors_of_places() const
 {
   std::vector<unsigned int> vector_at(products.n());
   for (unsigned int v = 0; v < place_of.size(); ++v)
     if (place_of[v] != numbers::invalid_unsigned_int)
       vector_at[place_of[v]] = v;
+  return vector_at;
+}
+
+
+
+template <int dim>
+std::vector<double>
+ContactPath<dim>::forces_on_vectors(
+  const std::function<double(unsigned int)> &force,
+  const VectorSum Condition::*along) const
+{
+  const auto vector_at = vectors_of_places();
   std::vector<double> result(basis.vectors().size(), 0.);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     for (const auto &[place, factor] : conditions[i].*along)
@@ -258,9 +308,14 @@ template <int dim>
 std::vector<double>
 ContactPath<dim>::forces(const double travel) const
 {
-  return forces_on_vectors(
+  auto result = forces_on_vectors(
     [&](const unsigned int i) { return piece.multipliers(i, travel); },
     &Condition::exerted);
+  const auto vector_at = vectors_of_places();
+  for (const auto &[condition, strength] : adhesions)
+    for (const auto &[place, factor] : condition.exerted)
+      result[vector_at[place]] += factor * strength;
+  return result;
 }
 
 

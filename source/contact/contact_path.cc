@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace Setsudan
 {
@@ -29,6 +30,7 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   , place_of(basis.vectors().size(), numbers::invalid_unsigned_int)
   , smallest_step(smallest_step)
   , facets(2 * basis.hats().size(), 0)
+  , slips(2 * basis.hats().size())
   , grips(basis.n_board_corners())
 {
   std::vector<unsigned int> used;
@@ -70,56 +72,10 @@ ContactPath<dim>::moved(
 {
   const double area        = basis.hats()[h].area;
   const unsigned int place = place_of_hat(h, wall, component);
-  return {
-    {(displacement_at_rest[place] + piece.displacements.constant[place]) / area,
-     piece.displacements.slope[place] / area}};
-}
-
-
-
-template <int dim>
-std::array<double, 2>
-ContactPath<dim>::distance_behind_edge(const unsigned int h,
-                                       const Wall wall) const
-{
-  if (profile.presses_across)
-    return {{-basis.hats()[h].depth, 1.}};
-  const auto along = moved(h, wall, ContactBasis<dim>::Component::along);
-  return {{-basis.hats()[h].depth - along[0], 1 - along[1]}};
-}
-
-
-
-template <int dim>
-bool
-ContactPath<dim>::update_facets(const double travel,
-                                const double tolerance,
-                                const bool back)
-{
-  bool any = false;
-  for (unsigned int i = 0; i < conditions.size(); ++i)
-    {
-      if (conditions[i].kind != Kind::flank)
-        continue;
-      const unsigned int h = conditions[i].place;
-      const Wall wall      = conditions[i].wall;
-      const auto behind    = distance_behind_edge(h, wall);
-      const double s       = behind[0] + travel * behind[1];
-      unsigned int &k      = facet(h, wall);
-      if (k + 1 < profile.facets.size() &&
-          s >= profile.facets[k + 1].begin + tolerance)
-        {
-          ++k;
-          any = true;
-        }
-      else if (back && k > 0 && !piece.active[i] &&
-               s < profile.facets[k].begin - tolerance)
-        {
-          --k;
-          any = true;
-        }
-    }
-  return any;
+  return {{(displacement_at_rest[place] + moved_by_adhesion[place] +
+            piece.displacements.constant[place]) /
+             area,
+           piece.displacements.slope[place] / area}};
 }
 
 
@@ -130,20 +86,30 @@ ContactPath<dim>::settle(const double travel)
 {
   // A wall that goes back and forth between two facets stays on the second one.
   constexpr unsigned int most_back = 20;
+  // Friction that is not settled all at once is one by one.
+  constexpr unsigned int most_at_once = 30;
   const unsigned int most =
-    most_back + profile.facets.size() + 4 * grips.size();
+    most_back + profile.facets.size() +
+    (has_turned ? most_at_once + 20 * slips.size() : 0) + 4 * grips.size();
+  bool on_facets = false;
   n_changes.assign(grips.size(), 0);
   for (unsigned int round = 0; round <= most; ++round)
     {
       take_piece(travel,
                  [&] { return problem->active_set(travel, piece.active); });
-      const bool moves =
-        update_facets(travel, 1e-2 * smallest_step, round < most_back);
-      const bool slips = update_grips(travel);
-      if (!moves && !slips)
+      on_facets =
+        !update_facets(travel, 1e-2 * smallest_step, round < most_back);
+      const bool slip = on_facets && update_slips(travel, round > most_at_once);
+      const bool grip = update_grips(travel);
+      if (on_facets && !slip && !grip)
         return;
       remake_conditions();
     }
+  if (on_facets)
+    throw SolverError("At a travel of " + std::to_string(travel) +
+                      " the walls of the cut neither stick to the blade nor "
+                      "slip along it: with so much friction they spring to "
+                      "another place. Lower Blade/Friction or Blade/Adhesion.");
   throw SolverError("The walls of the cut do not come to rest on the blade's "
                     "shoulder. Set Blade/Shoulder radius larger, or Blade/"
                     "Profile with more points.");
@@ -159,38 +125,21 @@ ContactPath<dim>::take_piece(const double travel,
   const auto [found, ends] = of_first_process(basis.communicator(), [&] {
     const auto of_active = problem->piece(active());
     std::vector<Complementarity::Breakpoint> end;
-    if (const auto breakpoint = problem->end_of(of_active, travel))
+    if (const auto breakpoint = problem->end_of(of_active, travel, heading))
       end.push_back(*breakpoint);
     return std::make_pair(of_active, end);
   });
   piece                    = found;
-  end_of_piece =
-    ends.empty() ? std::numeric_limits<double>::infinity() : ends[0].p;
-  ending_condition = ends.empty()
-                       ? std::optional<unsigned int>()
-                       : std::optional<unsigned int>(ends[0].condition);
+  end_of_piece             = ends.empty()
+                               ? heading * std::numeric_limits<double>::infinity()
+                               : ends[0].p;
+  ending_condition         = ends.empty()
+                               ? std::optional<unsigned int>()
+                               : std::optional<unsigned int>(ends[0].condition);
+  ending_slip.reset();
   end_at_slip(travel);
-  if (profile.facets.size() < 2)
-    return;
-  for (const auto &condition : conditions)
-    {
-      if (condition.kind != Kind::flank)
-        continue;
-      const unsigned int k = facet(condition.place, condition.wall);
-      if (k + 1 == profile.facets.size())
-        continue;
-      const auto behind = distance_behind_edge(condition.place, condition.wall);
-      if (behind[1] <= 0)
-        continue;
-      const double p =
-        std::max((profile.facets[k + 1].begin - behind[0]) / behind[1], travel);
-      if (p < end_of_piece)
-        {
-          end_of_piece = p;
-          ending_condition.reset();
-          slipping_condition.reset();
-        }
-    }
+  find_end_of_facets(travel);
+  find_end_of_sticking(travel);
 }
 
 
@@ -202,9 +151,15 @@ ContactPath<dim>::begin(const BladeMotion &motion,
                         const std::vector<double> &measured)
 {
   resting_shift = motion.shift;
+  std::vector<bool> touched(facets.size(), false);
   if (neighbour != nullptr)
     {
       facets        = neighbour->facets;
+      heading       = neighbour->heading;
+      slips         = neighbour->slips;
+      has_turned    = neighbour->has_turned;
+      adhering      = neighbour->adhering;
+      touched       = neighbour->touching();
       grips         = neighbour->grips;
       places_before = neighbour->places_on_board(motion.travel);
       conditions    = neighbour->conditions;
@@ -218,6 +173,11 @@ ContactPath<dim>::begin(const BladeMotion &motion,
         {
           facets        = earlier.facets;
           resting_shift = earlier.resting_shift;
+          heading       = earlier.heading;
+          has_turned    = !earlier.slips.empty();
+          if (has_turned)
+            slips = earlier.slips;
+          adhering = earlier.adhering;
         }
       begin_grips(measured, earlier.board);
       make_conditions();
@@ -231,6 +191,29 @@ ContactPath<dim>::begin(const BladeMotion &motion,
             (condition.kind == Kind::grip && basis.board()->friction > 0));
     }
   settle(motion.travel);
+  // Those of a path that is gone on with are known.
+  if (adhering.empty() || neighbour != nullptr)
+    update_adhesion(touched, motion.travel);
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::head(const int way, const double travel)
+{
+  if (way == heading)
+    return 0;
+  const double before = energy()(travel);
+  heading             = way;
+  if (sliding.rubs())
+    {
+      has_turned = true;
+      hold_walls(travel);
+      remake_conditions();
+    }
+  settle(travel);
+  return before - energy()(travel);
 }
 
 
@@ -245,30 +228,11 @@ ContactPath<dim>::shift(const double travel) const
 
 
 template <int dim>
-double
-ContactPath<dim>::cross_end()
+void
+ContactPath<dim>::change_condition(const unsigned int i,
+                                   const double travel,
+                                   const double beyond)
 {
-  const double travel = end_of_piece;
-  Assert(std::isfinite(travel), ExcInternalError());
-  const double before = energy()(travel);
-  places_before       = places_on_board(travel);
-  n_changes.assign(grips.size(), 0);
-  if (slipping_condition)
-    {
-      let_slip(*slipping_condition, travel);
-      remake_conditions();
-      settle(travel);
-      return before - energy()(travel);
-    }
-  if (!ending_condition)
-    {
-      // Where the front is straight all hats of a row do so together.
-      update_facets(travel, -smallest_step, false);
-      remake_conditions();
-      settle(travel);
-      return before - energy()(travel);
-    }
-  const unsigned int i = *ending_condition;
   problem->flip(piece.active, i);
   if (conditions[i].kind == Kind::board && piece.active[i] &&
       basis.board()->friction > 0)
@@ -277,19 +241,64 @@ ContactPath<dim>::cross_end()
       remake_conditions();
     }
   take_piece(travel, [&] { return piece.active; });
-  const double slope =
-    piece.active[i] ? piece.multipliers.slope[i] : piece.gaps.slope[i];
+  const double slope = heading * (piece.active[i] ? piece.multipliers.slope[i]
+                                                  : piece.gaps.slope[i]);
+  const bool others_slip = update_slips(travel, false);
+  if (others_slip)
+    remake_conditions();
   // Where many change at once they are found a little beyond.
-  if (slope < 0 || end_of_piece < travel + smallest_step)
+  if (others_slip || slope < 0 || is_before(end_of_piece, beyond))
     {
-      settle(travel + smallest_step);
-      end_of_piece = std::max(end_of_piece, travel + smallest_step);
+      settle(beyond);
+      if (is_before(end_of_piece, beyond))
+        end_of_piece = beyond;
     }
   else if (update_grips(travel))
     {
       remake_conditions();
       settle(travel);
     }
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::cross_end()
+{
+  const double travel = end_of_piece;
+  Assert(std::isfinite(travel), ExcInternalError());
+  const double before = energy()(travel);
+  const double beyond = travel + heading * smallest_step;
+  const auto touched  = touching();
+  places_before       = places_on_board(travel);
+  n_changes.assign(grips.size(), 0);
+  if (slipping_condition)
+    {
+      let_slip(*slipping_condition, travel);
+      remake_conditions();
+      settle(travel);
+    }
+  else if (ending_condition)
+    change_condition(*ending_condition, travel, beyond);
+  else
+    {
+      const bool slips_now = ending_slip.has_value();
+      if (slips_now)
+        {
+          const auto &flank = conditions[ending_slip->first];
+          slips[place_of_wall(flank.place, flank.wall)].way =
+            ending_slip->second;
+        }
+      else
+        // Where the front is straight all hats of a row do so together.
+        update_facets(travel, -smallest_step, false);
+      remake_conditions();
+      settle(travel);
+      if (slips_now && is_before(end_of_piece, beyond))
+        end_of_piece = beyond;
+    }
+  update_adhesion(touched, beyond);
   // With friction the contacts may spring from one equilibrium to another.
   return before - energy()(travel);
 }

@@ -19,11 +19,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 template <int dim>
 void
 move_to(const double travel,
-        const double slice,
-        const double speed,
+        const BladeParameters<dim> &blade,
         const ContactPath<dim> &path,
         BladeMotion &motion)
 {
+  const double slice  = blade.sliding.slice;
+  const double speed  = blade.path.speed_to(motion.n_stops);
   const auto force_at = [&](const double p) {
     return path.edge_force()(p) + path.flank_force()(p) +
            slice * path.force_aside()(p);
@@ -35,7 +36,7 @@ move_to(const double travel,
     (unfelt(motion.travel) + unfelt(travel)) / 2 * (travel - motion.travel);
   motion.friction_energy += path.friction_work(motion.travel, travel);
   if (speed > 0)
-    motion.time += (travel - motion.travel) / speed;
+    motion.time += std::abs(travel - motion.travel) / speed;
   motion.travel = travel;
 }
 
@@ -96,33 +97,36 @@ BladeTravel<dim>::contact(CutBody<dim> &body, const State<dim> &from)
 
 template <int dim>
 std::optional<Split>
-BladeTravel<dim>::follow(BladeMotion &motion)
+BladeTravel<dim>::follow(BladeMotion &motion, const double goal)
 {
+  const bool pushes = goal >= motion.travel;
   // More changes of the contact than a row has.
   constexpr unsigned int most = 1000000;
   for (unsigned int n_changes = 0; n_changes < most; ++n_changes)
     {
-      const double end    = std::min(path->end(), search->end());
-      const auto split    = search->first_split(motion, end);
+      const double end = pushes ? std::min({path->end(), search->end(), goal})
+                                : std::max(path->end(), goal);
+      // What is split closes while the blade is withdrawn, and no more splits.
+      const auto split =
+        pushes ? search->first_split(motion, end) : std::optional<Split>();
       const double travel = split ? split->travel : end;
       if (travel == infinity)
         return {};
-      move_to(travel,
-              this->scene.blade.sliding.slice,
-              this->scene.blade.speed,
-              *path,
-              motion);
-      if (split)
+      move_to(travel, this->scene.blade, *path, motion);
+      if (split || travel == goal)
         return split;
-      const bool crosses = path->end() <= travel;
+      const bool crosses =
+        pushes ? path->end() <= travel : path->end() >= travel;
       if (crosses)
         motion.excess_energy += path->cross_end();
-      search->cross(motion, crosses);
+      if (pushes)
+        search->cross(motion, crosses);
     }
-  throw SolverError("The contact of the blade does not settle at a travel of " +
-                    std::to_string(motion.travel) +
-                    ": walls go on opening and closing. Set Blade/Shoulder "
-                    "radius larger, or Blade/Friction lower.");
+  throw SolverError(
+    "The contact of the blade does not settle at a travel of " +
+    std::to_string(motion.travel) +
+    ": walls go on opening and closing. Set Blade/Shoulder "
+    "radius larger, or Blade/Friction or Blade/Adhesion lower.");
 }
 
 
@@ -159,19 +163,21 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   BladeMotion motion = from.motion.value_or(BladeMotion());
   if (!from.motion)
     motion.energy_at_rest = from.potential_energy;
-  if (row == 0)
-    {
-      motion.travel = motion.last_split = motion.shift = 0;
-      motion.contacts                                  = {};
-    }
   CutContact<dim> &of_cut = contact(body, from);
   if (!path)
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
-  search->begin(body, of_cut, row, *path, motion);
-  const auto split       = follow(motion);
+  const double goal = goal_of(motion);
+  if (goal != motion.travel)
+    motion.excess_energy +=
+      path->head(goal > motion.travel ? 1 : -1, motion.travel);
+  if (goal >= motion.travel)
+    search->begin(body, of_cut, row, *path, motion);
+  const auto split       = follow(motion, goal);
   motion.n_rows_to_split = split ? split->n_rows : 0;
-  State<dim> state       = solve(body, row, motion, from);
-  state.yields           = split.has_value();
+  if (!split && std::isfinite(goal))
+    reach_stop(motion);
+  State<dim> state = solve(body, row, motion, from);
+  state.yields     = split.has_value();
   if (split)
     state.stress = split->stress;
   return state;
@@ -195,13 +201,46 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
   const double released = path->energy_set_free(*split)(motion.travel);
   const double taken =
     search->surface_energy(body, before, row - before, motion, released);
-  motion.last_split = motion.travel;
+  motion.time_of_split = motion.time;
   motion.surface_energy += taken;
   motion.friction_energy += path->friction_work_to(*split)(motion.travel);
   motion.excess_energy += released - taken;
   motion.n_rows_to_split = 0;
   path                   = std::move(split);
   return solve(body, row, motion, from);
+}
+
+
+
+template <int dim>
+double
+BladeTravel<dim>::goal_of(const BladeMotion &motion) const
+{
+  const auto &stops = this->scene.blade.path.stops;
+  return motion.n_stops < stops.size() ? stops[motion.n_stops].position
+                                       : infinity;
+}
+
+
+
+template <int dim>
+void
+BladeTravel<dim>::reach_stop(BladeMotion &motion) const
+{
+  const BladePath &way = this->scene.blade.path;
+  // Where it rests time passes, too.
+  if (way.begin_of(motion.n_stops) == motion.travel)
+    motion.time += way.stops[motion.n_stops].duration;
+  ++motion.n_stops;
+}
+
+
+
+template <int dim>
+bool
+BladeTravel<dim>::moves_on(const State<dim> &state) const
+{
+  return state.motion->n_stops < this->scene.blade.path.stops.size();
 }
 
 

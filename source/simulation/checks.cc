@@ -118,12 +118,9 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
     }
   if (state.motion)
     {
-      BladeMotion before = event.motion.value_or(BladeMotion());
-      // In a new cut it begins anew.
-      if (state.motion->travel < before.travel)
-        before.travel = 0;
-      const double moved = state.motion->travel - before.travel;
-      if (moved > 0)
+      const BladeMotion before = event.motion.value_or(BladeMotion());
+      const double moved       = state.motion->travel - before.travel;
+      if (moved != 0)
         event.mean_force = (state.motion->work - before.work) / moved;
       event.motion = state.motion;
       // The body does not feel all of it where it presses across the cut only.

@@ -99,6 +99,15 @@ Drive<dim>::make(const Scene<dim> &scene)
 
 
 template <int dim>
+bool
+Drive<dim>::moves_on(const State<dim> &) const
+{
+  return false;
+}
+
+
+
+template <int dim>
 std::optional<State<dim>>
 Drive<dim>::settle(CutBody<dim> &, const unsigned int, const State<dim> &)
 {

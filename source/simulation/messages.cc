@@ -156,6 +156,19 @@ describe_arrest(const Scene<dim> &scene,
 {
   std::ostringstream line;
   line.precision(6);
+  if (!scene.blade.path.stops.empty())
+    {
+      const double travel = event.motion->travel;
+      line << "The blade's path ends in row " << event.row + 1 << " of "
+           << n_rows << ": it is ";
+      if (travel > 0)
+        line << "at rest at a travel of " << travel << " " << scene.length_unit;
+      else
+        line << "withdrawn";
+      if (event.cut + 1 < scene.cut.cuts.size())
+        line << ", and the cuts behind this one are not made";
+      return line.str() + ".";
+    }
   line << "Arrested at row " << event.row + 1 << " of " << n_rows << ": ";
   if (event.motion)
     return line.str() + "however far the blade travels, " +
@@ -168,6 +181,25 @@ describe_arrest(const Scene<dim> &scene,
        << " is required, at load factor " << event.load_factor;
   if (scene.division.load_control == DivisionParameters::LoadControl::ramp)
     line << ", the largest that Division/Maximum load factor allows";
+  return line.str() + ".";
+}
+
+
+
+template <int dim>
+std::optional<std::string>
+describe_path_left_out(const Scene<dim> &scene, const State<dim> &state)
+{
+  const auto &stops = scene.blade.path.stops;
+  if (stops.empty() || state.motion->n_stops == stops.size())
+    return {};
+  std::ostringstream line;
+  line.precision(6);
+  line << "The cut is through at a travel of " << state.motion->travel << " "
+       << scene.length_unit << ": of the blade's path is left out";
+  for (unsigned int stop = state.motion->n_stops; stop < stops.size(); ++stop)
+    line << (stop == state.motion->n_stops ? " " : ", ")
+         << stops[stop].position;
   return line.str() + ".";
 }
 
@@ -236,6 +268,10 @@ template std::string
 describe_roughness(const Cut<2> &);
 template std::string
 describe_arrest(const Scene<2> &, const Event &, const unsigned int);
+template std::optional<std::string>
+describe_path_left_out(const Scene<2> &, const State<2> &);
+template std::optional<std::string>
+describe_path_left_out(const Scene<3> &, const State<3> &);
 template std::string
 describe_solve(const CutBody<2> &);
 template std::string

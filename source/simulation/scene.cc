@@ -274,10 +274,11 @@ Scene<dim>::Scene(const Parameters &parameters)
     check_supports(parameters, body, supports);
   if (blade.travels)
     check_travel(parameters, *this);
-  parameters.require(!rate.is_active() || blade.speed > 0,
-                     "Material",
-                     "Rate exponent",
-                     "0 where no Blade/Speed is given");
+  parameters.require(
+    !rate.is_active() || blade.path.has_times(),
+    "Material",
+    "Rate exponent",
+    "0 where no Blade/Speed is given, nor times in Blade/Travel");
   // The path of the body's file changes with the directory: it may be none that
   // parameters.prm can hold.
   text_in(output.directory, parameters);

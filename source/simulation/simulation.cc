@@ -104,7 +104,8 @@ Simulation<dim>::make_cut(const unsigned int cut)
       // A body on a board lies there already.
       if (!body.board())
         state = solve(body.blade_on_row(0), 1);
-      state.motion = motion;
+      if (motion)
+        state.motion = motion->at_entry();
       split_nodes();
     }
   deform(0);
@@ -126,6 +127,8 @@ Simulation<dim>::make_cut_from(const unsigned int first_row)
           continue;
         }
       if (row > first_row)
+        deform(row);
+      while (!state.yields && drive->moves_on(state))
         deform(row);
       if (!row_yields(row))
         {
@@ -213,6 +216,9 @@ Simulation<dim>::begin_cut(const unsigned int cut)
     }
   event.cut           = cut;
   event.released_rows = 0;
+  // Where the blade begins anew.
+  if (event.motion)
+    event.motion->travel = 0;
   results.warn_anew();
   results.progress.info(describe_cut(body, cut));
   if (const auto line = describe_resolution(body))
@@ -241,10 +247,11 @@ Simulation<dim>::deform(const unsigned int row)
 
   if (row > 0 && !state.motion)
     results.record("release", event);
-  event.row        = row;
-  event.depth      = body.seam().rows()[row].depth;
-  event.row_pieces = body.pieces_of_row(row);
-  results.record("deform", event);
+  event.row             = row;
+  event.depth           = body.seam().rows()[row].depth;
+  event.row_pieces      = body.pieces_of_row(row);
+  const bool is_at_stop = !state.yields && !scene.blade.path.stops.empty();
+  results.record(is_at_stop ? "travel" : "deform", event);
   results.show_row(event, body.seam().rows().size());
   results.write_state(body,
                       state,
@@ -361,6 +368,8 @@ Simulation<dim>::finish_cut()
     return drive->finish(body, state);
   };
   accept(finished());
+  if (const auto line = describe_path_left_out(scene, state))
+    results.progress.info(*line);
   if (!state.motion)
     results.record("release", event);
   results.record("divide", event);

@@ -57,10 +57,13 @@ SplitSearch<dim>::rate_factor(const double length,
                               const BladeMotion &motion,
                               const double travel) const
 {
-  return scene.rate.is_active()
-           ? scene.rate.factor(length / (travel - motion.last_split) *
-                               scene.blade.speed)
-           : 1.;
+  if (!scene.rate.is_active())
+    return 1.;
+  double time = motion.time - motion.time_of_split;
+  if (travel > motion.travel)
+    time +=
+      (travel - motion.travel) / scene.blade.path.speed_to(motion.n_stops);
+  return scene.rate.factor(length / time);
 }
 
 

@@ -164,6 +164,9 @@ WRONG_VALUES = {
         ("Blade/Shape", "wedge", "line where Blade/Drive is force"),
         ("Blade/Friction", "0.1", "0 where Blade/Drive is force"),
         ("Blade/Slice-push ratio", "1", "0 where Blade/Drive is force"),
+        ("Blade/Adhesion", "1", "0 where Blade/Drive is force"),
+        ("Blade/Speed", "1", "0 where Blade/Drive is force"),
+        ("Blade/Travel", "1", "nothing where Blade/Drive is force"),
         ("Blade/Direction", "0, 1, 0", "of 'y:1' is 90 degrees off"),
         ("Blade/Direction", "0, 1.1, -1", "up to 45 degrees off it; that of 'y:1'"),
         ("Blade/Direction", "0, 1.001, -1", "is 45.03 degrees off"),
@@ -272,6 +275,22 @@ TRAVEL = {
 WRONG_TRAVEL = [
     ("Blade/Friction", "-0.1", "not negative"),
     ("Blade/Friction", "nan", PATTERN),
+    ("Blade/Adhesion", "-0.1", "not negative"),
+    ("Blade/Adhesion", "1", "0 where Blade/Guide is free", {"Blade/Guide": "free"}),
+    *[("Blade/Travel", path, "either positions, or 'time : position' throughout")
+      for path in ("deep", "1, deep", "0:0, 1:1:1", "0:0, 1:x", "0:0, 1",
+                   "1, 2:2", "0:0, 1:")],
+    ("Blade/Travel", "1, nan", "a finite number"),
+    *[("Blade/Travel", path, "begins with 0 : 0")
+      for path in ("1:0, 2:1", "0:1, 1:2", "-1:0, 1:1")],
+    *[("Blade/Travel", path, "times that ascend")
+      for path in ("0:0, 1:1, 1:2", "0:0, 2:1, 1:0", "0:0, 0:1")],
+    *[("Blade/Travel", path, "does not touch the body")
+      for path in ("0", "-1", "-1, -2", "0:0", "0:0, 1:-1")],
+    *[("Blade/Travel", path, "begins forward")
+      for path in ("-1, 1", "0, 1", "0:0, 1:-1, 2:1")],
+    ("Blade/Speed", "1", "0 where Blade/Travel is a table of times",
+     {"Blade/Travel": "0:0, 1:1"}),
     ("Blade/Slice-push ratio", "-1", "not negative"),
     ("Blade/Speed", "-1", "not negative"),
     ("Material/Rate exponent", "-1", "not negative"),
@@ -304,4 +323,9 @@ WRONG_TRAVEL = [
     ("Division/Look-ahead", "-1", PATTERN),
     ("Cut/Surfaces", "", "a cut where Blade/Drive"),
     ("Accuracy/Target", "0.1", "0 where Blade/Drive"),
+]
+# Only where the edge is a line.
+WRONG_SLICE = [
+    ("Blade/Adhesion", "1", "0 where Blade/Slice-push ratio"),
+    ("Blade/Travel", "2, 1", "a blade that slices is not withdrawn"),
 ]

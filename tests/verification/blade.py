@@ -223,6 +223,77 @@ def rate_rows(options, _):
                   cut.change("time"), 1e-9)
 
 
+def stored_in_arms(tilt, travel, crack):
+    """By beams that a wedge opens at their tips, whose inner sides turn towards it."""
+    length = crack + .673 * ARM
+    opening = tilt * travel / (1 - .75 * tilt * ARM / length)
+    return 3 / (1 - .3 ** 2) * ARM ** 3 / 12 * opening ** 2 / length ** 3
+
+
+def tip_rows(options, _):
+    """A slender wedge between the tips of two arms, pushed and withdrawn."""
+    toughness, tilt, row = 1e-7, math.tan(math.radians(2)), 2 / 160
+    scene = {
+        **PLANE, "Body/Size": f"{2 * ARM}, 2", "Body/Elements": "8, 160",
+        "Cut/Surfaces": "x:4", "Blade/Shape": "wedge", "Blade/Wedge angle": 4,
+        "Blade/Thickness": .09, "Material/Toughness": toughness}
+    mesh = "4 degrees, 4 through an arm"
+    for friction in (0, .3):
+        lines = run_table(options, {**scene, "Blade/Friction": friction,
+                                    "Blade/Travel": "0.35, 0.3"})
+        yields = [line for line in lines if line["event"] == "deform"]
+        for travel in () if friction else (.2, .3):
+            line = next(line for line in yields if number(line, "travel") > travel)
+            # The mouth's hat, which the wedge touches, is a third of a row from there.
+            stored = [stored_in_arms(tilt, number(line, "travel") - row / 3,
+                                     number(line, "depth") - row / 3 + more)
+                      for more in (0, row)]
+            yield Row(f"energy release of beams over toughness at a travel of {travel}",
+                      mesh, toughness, (stored[0] - stored[1]) / row, .015)
+        pushed, withdrawn = (line for line in lines if line["event"] == "travel")
+        for line, way, name in ((pushed, 1, "pushed"), (withdrawn, -1, "withdrawn")):
+            angle = math.radians(2) + way * math.atan(friction)
+            flank, rubbed = number(line, "flank_force"), number(line, "friction_force")
+            pressure = (flank - rubbed) / tilt
+            across = pressure - tilt * rubbed
+            yield Row(f"force over that across, {name}, friction {friction}", mesh,
+                      math.tan(angle), flank / across, 1e-10)
+
+
+def withdrawal_rows(options, _):
+    """A wedge that is pushed, withdrawn and pushed again."""
+    wedge = {"Material/Toughness": 1e-3, "Blade/Shape": "wedge", "Blade/Wedge angle": 30,
+             "Blade/Thickness": .1, "Blade/Shoulder radius": .05,
+             "Blade/Travel": "0.5, 0.2, 0, 0.2, 0.5, 0", "Body/Size": "1, 1",
+             "Body/Elements": "8, 8", "Cut/Surfaces": "x:4"}
+    for friction, adhesion in ((0, 0), (.3, 0), (.3, 1e-3)):
+        lines = run_table(options, {**PLANE, **wedge, "Blade/Friction": friction,
+                                    "Blade/Adhesion": adhesion})
+        mesh = f"wedge, friction {friction}, adhesion {adhesion}"
+        stops = [line for line in lines if line["event"] == "travel"]
+        first, back, out, in_again, again, end = stops
+        work = number(end, "work")
+        yield Row("1 + energy that is missing over work", mesh, 1, 1 + max(
+            abs(number(line, "work") - sum(number(line, column) for column in (
+                "strain_energy", "surface_energy", "friction_energy", "excess_energy")))
+            for line in lines) / work, 1e-9)
+        yield Row("1 + energy that is stored when it is withdrawn over work", mesh, 1,
+                  1 + number(out, "strain_energy") / work, 1e-12)
+        if adhesion:
+            continue
+        yield Row("force where it had been, pushed again over before", mesh,
+                  number(first, "blade_force"), number(again, "blade_force"), 1e-9)
+        if friction:
+            continue
+        yield Row("force on the way back over that on the way in", mesh,
+                  number(back, "blade_force"), number(in_again, "blade_force"), 1e-9)
+        yield Row("work of a push and withdrawal over surface and excess", mesh,
+                  number(out, "surface_energy") + number(out, "excess_energy"),
+                  number(out, "work"), 1e-9)
+        yield Row("1 + work that shoulders take over work", mesh, 1,
+                  1 + number(end, "excess_energy") / work, 2e-3)
+
+
 def stress_rows(options, _):
     """A blade that travels and one whose load rises split a row at one force, where
     nothing but the front touches them. A row may only split at a larger force where it
@@ -250,7 +321,7 @@ def stress_rows(options, _):
 
 def rows(options, long):
     for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows, cantilever_rows,
-                    slab_rows, slicing_rows, rate_rows, stress_rows):
+                    slab_rows, slicing_rows, rate_rows, tip_rows, withdrawal_rows, stress_rows):
         yield from of_kind(options, long)
 
 
@@ -259,4 +330,5 @@ CASE = Case(
     "energy balance; of a thin blade, mean forces of an independent program for half a "
     "block with 8-node quadrilaterals; of the wedge between two arms, beam theory, "
     "a + 0.673 h = (9 E' I (T/2)² / R)^¼ from the shoulder to the front and "
-    "F = R + 2 μ N, N = 3 E' I (T/2) / (a + 0.673 h)³", rows)
+    "F = R + 2 μ N, N = 3 E' I (T/2) / (a + 0.673 h)³; of a wedge at the tips of two "
+    "arms, stored energy 3 E' I (t p)² / (a + 0.673 h)³ and F/N = tan(α/2 ± φ)", rows)

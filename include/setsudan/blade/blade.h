@@ -3,6 +3,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <setsudan/blade/blade_path.h>
 #include <setsudan/blade/blade_profile.h>
 #include <setsudan/blade/sliding_blade.h>
 #include <setsudan/parameters/parameters.h>
@@ -50,9 +51,8 @@ struct BladeParameters
   double thickness;
   /** Whether the edge moves by a travel, and the force is the reaction. */
   bool travels;
+  BladePath path;
   SlidingBlade sliding;
-  /** Of the travel; 0 if it is not given. */
-  double speed;
   /** The blade's body. */
   BladeProfile profile;
   /** Unit vectors of the blade's travel, one for each cut or one for all. */

@@ -5,6 +5,24 @@
 
 namespace Setsudan
 {
+/** How a blade slips along a wall at a hat. */
+struct WallSlip
+{
+  /** 1 along its direction, -1 against it, 0 where the wall sticks to it. */
+  int way = 1;
+  /** Where the wall was when it began to stick, along the flank and from where
+   * the blade was. */
+  double anchor = 0;
+
+  /** For boost::serialization. */
+  template <typename Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &way &anchor;
+  }
+};
+
 /** Which contacts a blade has; there may be other ones with which the body is
  * in equilibrium at the same travel. */
 struct BladeContacts
@@ -15,6 +33,12 @@ struct BladeContacts
   std::vector<bool> active;
   /** The shift of a blade that nothing pushes aside. */
   double resting_shift = 0;
+  /** 1 while it is pushed, -1 while it is withdrawn. */
+  int heading = 1;
+  /** How it slips along each wall; none before it has turned. */
+  std::vector<WallSlip> slips;
+  /** The walls that adhere to it. */
+  std::vector<bool> adhering;
   /** How the corners on a board hold: see BoardGrip. */
   std::vector<double> board;
 
@@ -23,7 +47,7 @@ struct BladeContacts
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &facets &active &resting_shift &board;
+    archive &facets &active &resting_shift &heading &slips &adhering &board;
   }
 };
 
@@ -33,10 +57,12 @@ struct BladeMotion
 {
   /** Of the edge along the blade's direction, from the entry of the cut. */
   double travel = 0;
+  /** How many stops of its path it has reached in this cut. */
+  unsigned int n_stops = 0;
   /** Since the run began, where the blade's speed is given. */
   double time = 0;
-  /** Of the edge when the last rows split. */
-  double last_split = 0;
+  /** When the last rows split, or the cut began. */
+  double time_of_split = 0;
   /** The forces of edge and flanks on the body along that direction, and the
    * area on which the flanks press. */
   double edge_force  = 0;
@@ -64,12 +90,25 @@ struct BladeMotion
   unsigned int n_rows_to_split = 0;
   BladeContacts contacts;
 
+  /** The same at the entry of the next cut. */
+  BladeMotion
+  at_entry() const
+  {
+    BladeMotion motion   = *this;
+    motion.travel        = 0;
+    motion.n_stops       = 0;
+    motion.time_of_split = time;
+    motion.shift         = 0;
+    motion.contacts      = {};
+    return motion;
+  }
+
   /** For boost::serialization. */
   template <typename Archive>
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &travel &time &last_split &edge_force &flank_force;
+    archive &travel &n_stops &time &time_of_split &edge_force &flank_force;
     archive &friction_force &force_along;
     archive &contact_area &shift &work &unfelt_work &surface_energy
       &friction_energy;

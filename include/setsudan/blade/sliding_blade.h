@@ -11,6 +11,8 @@ struct SlidingBlade
   bool is_guided = true;
   /** Coulomb's coefficient between flanks and walls. */
   double friction = 0;
+  /** The shear strength of their contact [force/length^2]. */
+  double adhesion = 0;
   /** How far the blade moves along its edge for each length that it is pushed.
    */
   double slice = 0;
@@ -21,6 +23,13 @@ struct SlidingBlade
   drag() const
   {
     return grip < slice ? grip : slice;
+  }
+
+  /** Whether the walls resist it. */
+  bool
+  rubs() const
+  {
+    return friction > 0 || adhesion > 0;
   }
 
   /** Whether there is friction along the edge. */

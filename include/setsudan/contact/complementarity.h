@@ -168,9 +168,11 @@ public:
   piece(const ActiveSet &active) const;
 
   /** The end of a piece that holds at p, beyond p; nothing where it holds for
-   * all that follow. Followers end none. */
+   * all that follow. Followers end none.
+   *
+   * @param heading 1 where larger p follow, -1 where smaller ones do. */
   std::optional<Breakpoint>
-  end_of(const Piece &piece, const double p) const;
+  end_of(const Piece &piece, const double p, const int heading = 1) const;
 
 private:
   /** The right-hand side of a problem. */

@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace Setsudan
@@ -70,6 +71,17 @@ struct BoardGrip
  *   flank exerts  1 - m t out, t + m along, m xi (1 + t^2)^1/2 aside, where
  *         m = mu / (1 + xi^2)^1/2.
  *
+ * Where the blade turns, the walls begin by sticking to it: a hat that sticks
+ * keeps its place along the flank,
+ *
+ *   stick on a hat of a wall     d.u - t o.u = A p + anchor,
+ *
+ * with a multiplier theta that exerts the same, as long as |theta| is not more
+ * than mu times the pressure, and what adhesion adds. Beyond that it slips, one
+ * way or the other, until the blade does not slip that way along it. All of
+ * these changes are breakpoints, too. Adhesion is a traction of its own on hats
+ * from when they come to touch until they come apart.
+ *
  * On the board, at the distance g, a corner sticks where it has come to it as
  * long as the friction there is less than Coulomb's; then it slips, and
  * friction keeps the direction that it had. It sticks again where it would slip
@@ -119,8 +131,16 @@ public:
     return basis.board() && basis.board()->friction > 0;
   }
 
-  /** Up to where the present contacts hold, not less than where they began;
-   * infinite where nothing ends them. */
+  /** Follow smaller travels from here on, or larger ones again.
+   *
+   * @param heading 1 for larger ones, -1 for smaller ones.
+   * @return the energy that is lost, where adhesion turns round on walls that
+   *   do not touch. */
+  double
+  head(const int heading, const double travel);
+
+  /** Up to where the present contacts hold on the blade's way; infinite where
+   * nothing ends them. */
   double
   end() const
   {
@@ -182,7 +202,13 @@ public:
   BladeContacts
   contacts() const
   {
-    return {facets, piece.active, resting_shift, state_of_grips()};
+    return {facets,
+            piece.active,
+            resting_shift,
+            heading,
+            has_turned ? slips : std::vector<WallSlip>(),
+            adhering,
+            state_of_grips()};
   }
 
   /** The area on which the flanks press. */
@@ -202,6 +228,7 @@ private:
   {
     edge,
     flank,
+    stick,
     walls,
     board,
     grip
@@ -239,6 +266,13 @@ private:
 
     bool
     is_same(const Condition &other) const;
+
+    /** Whether it is one of a flank, on a wall. */
+    bool
+    is_of_flank() const
+    {
+      return kind == Kind::flank || kind == Kind::stick;
+    }
   };
 
   /** Where a vector of a hat is in `products`. */
@@ -247,8 +281,14 @@ private:
                const Wall wall,
                const typename ContactBasis<dim>::Component component) const;
 
+  /** The slope of a wall's facet, as far as pressure acts normally to it. */
+  double
+  tilt(const unsigned int hat, const Wall wall) const;
+
   Condition
   flank_condition(const unsigned int hat, const Wall wall) const;
+  Condition
+  stick_condition(const unsigned int hat, const Wall wall) const;
   Condition
   walls_condition(const unsigned int hat) const;
   Condition
@@ -324,6 +364,10 @@ private:
   void
   make_conditions();
 
+  /** What adheres, and how that moves the vectors. */
+  void
+  make_adhesion();
+
   /** And the problem that they pose. */
   void
   make_problem();
@@ -335,6 +379,12 @@ private:
   /** Take the facets and the active set that hold at a travel. */
   void
   settle(const double travel);
+
+  /** Let a condition become active, or no longer. */
+  void
+  change_condition(const unsigned int condition,
+                   const double travel,
+                   const double beyond);
 
   /** How far a wall at a hat is behind the edge, over the travel. */
   std::array<double, 2>
@@ -352,20 +402,87 @@ private:
   void
   take_piece(const double travel, const std::function<ActiveSet()> &active);
 
+  /** Ask where the facets of the hats, or the friction of those that stick, end
+   * the piece. */
+  void
+  find_end_of_facets(const double travel);
+  void
+  find_end_of_sticking(const double travel);
+
+  /** Whether a wall stays on its facet until it slips. */
+  bool
+  keeps_facet(const Condition &flank) const;
+
+  /** Let the walls that touch stick where they are. */
+  void
+  hold_walls(const double travel);
+
+  /** Let walls slip whose friction is too large, and stick that slip the other
+   * way; whether any did.
+   *
+   * @param one whether only one of them may change. */
+  bool
+  update_slips(const double travel, const bool one);
+
+  /** The walls that touch, and whether each does. */
+  std::vector<bool>
+  touching() const;
+
+  /** Let walls adhere that touch now and did not, and no longer those that did
+   * and do not. What that itself opens and closes changes no more: with
+   * adhesion there need not be a state in which just those adhere that touch.
+   *
+   * @param touched the walls that did. */
+  void
+  update_adhesion(const std::vector<bool> &touched, const double travel);
+
+  /** What one must become, if it is to change. */
+  std::optional<int>
+  other_way(const unsigned int condition,
+            const double travel,
+            const double largest) const;
+
+  /** The largest friction of a condition of a flank, over the travel. */
+  std::array<double, 2>
+  largest_friction(const unsigned int condition) const;
+
+  /** Whether anything lets a wall move along a flank. */
+  bool
+  can_stick(const Condition &flank) const;
+
+  void
+  stick(const unsigned int hat, const Wall wall, const double travel);
+
+  /** Whether one travel comes before another one. */
+  bool
+  is_before(const double travel, const double other) const
+  {
+    return heading * (other - travel) > 0;
+  }
+
+  static unsigned int
+  place_of_wall(const unsigned int hat, const Wall wall)
+  {
+    return 2 * hat + (wall == Wall::plus);
+  }
   unsigned int &
   facet(const unsigned int hat, const Wall wall)
   {
-    return facets[2 * hat + (wall == Wall::plus)];
+    return facets[place_of_wall(hat, wall)];
   }
   unsigned int
   facet(const unsigned int hat, const Wall wall) const
   {
-    return facets[2 * hat + (wall == Wall::plus)];
+    return facets[place_of_wall(hat, wall)];
   }
 
   /** A sum over the conditions of a kind, each times its multiplier. */
   Quadratic
   sum_over(const Kind kind, const double Condition::*factor) const;
+
+  /** That over the conditions of flanks, and what adheres. */
+  Quadratic
+  sum_over_flanks(const double Condition::*factor) const;
 
   /** The mean of a component of a wall's displacement, over the travel. */
   std::array<double, 2>
@@ -373,6 +490,10 @@ private:
         const Wall wall,
         const typename ContactBasis<dim>::Component component) const;
 
+  /** What the condition of a wall that sticks measures, over the travel; also
+   * of another stage. */
+  std::array<double, 2>
+  moved_along_flank(const Condition &stick) const;
   /** What friction on the board takes in friction_work_to(). */
   void
   add_board_friction_to(const ContactPath &after, Quadratic &work) const;
@@ -380,6 +501,10 @@ private:
   /** Take the energy of the foundation out of that of the body. */
   void
   add_foundation_energy(Quadratic &energy) const;
+
+  /** The vector of the basis at each place in `products`. */
+  std::vector<unsigned int>
+  vectors_of_places() const;
 
   /** Forces of the conditions, each along its vectors, as forces on those of
    * the basis. */
@@ -417,8 +542,18 @@ private:
    * touches it. */
   double resting_shift = 0;
 
-  /** The facets of the hats' walls. */
+  /** Which way the blade goes. */
+  int heading = 1;
+  /** The facets of the hats' walls, and how these slip along them: forward, as
+   * long as the blade has not turned. */
   std::vector<unsigned int> facets;
+  std::vector<WallSlip> slips;
+  bool has_turned = false;
+  /** The walls that adhere, the friction that this is, and how it moves the
+   * vectors; none where there is no adhesion. */
+  std::vector<bool> adhering;
+  std::vector<std::pair<Condition, double>> adhesions;
+  std::vector<double> moved_by_adhesion;
   /** Of the corners on a board, and where these were when the contacts were
    * looked for. */
   std::vector<BoardGrip<dim>> grips;
@@ -429,8 +564,10 @@ private:
   std::unique_ptr<Complementarity> problem;
   Complementarity::Piece piece;
   double end_of_piece = std::numeric_limits<double>::infinity();
-  /** The condition that ends the piece, if it is no change of a facet. */
+  /** The condition that ends the piece, or the one that begins to slip and its
+   * way, if it is no change of a facet. */
   std::optional<unsigned int> ending_condition;
+  std::optional<std::pair<unsigned int, int>> ending_slip;
   /** The condition of the corner that begins to slip there, if one does. */
   std::optional<unsigned int> slipping_condition;
 };

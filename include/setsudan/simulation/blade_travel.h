@@ -13,7 +13,8 @@ namespace Setsudan
  * The blade's edge moves along its direction, and the force is the reaction. A
  * row splits at the travel at which its criterion is met, which is a root and
  * no step: between the breakpoints of the contact everything is linear in the
- * travel, and energies are quadratic.
+ * travel, and energies are quadratic. On its path the blade may stop, and be
+ * withdrawn, during which no row splits.
  */
 template <int dim>
 class BladeTravel : public Drive<dim>
@@ -31,6 +32,9 @@ public:
          const unsigned int row,
          const State<dim> &from) override;
 
+  bool
+  moves_on(const State<dim> &state) const override;
+
   /** What the walls had stored they give back to the blade. */
   State<dim>
   finish(CutBody<dim> &body, const State<dim> &from) override;
@@ -39,9 +43,18 @@ private:
   CutContact<dim> &
   contact(CutBody<dim> &body, const State<dim> &from);
 
-  /** Follow the travel until rows split; nothing where that never happens. */
+  /** The next stop on the blade's path, or infinity. */
+  double
+  goal_of(const BladeMotion &motion) const;
+
+  /** Go on from the stop where the blade is. */
+  void
+  reach_stop(BladeMotion &motion) const;
+
+  /** Follow the travel up to a goal or until rows split; nothing where they do
+   * not. */
   std::optional<Split>
-  follow(BladeMotion &motion);
+  follow(BladeMotion &motion, const double goal);
 
   /** The state in which the present contacts hold. */
   State<dim>

@@ -36,6 +36,11 @@ public:
           const unsigned int row,
           const State<dim> &from) = 0;
 
+  /** Whether the blade's path goes on from a state in which the row does not
+   * yield. */
+  virtual bool
+  moves_on(const State<dim> &state) const;
+
   /** The state right behind a split, in which the blade is where it was;
    * nothing where it has gone on to the next row by then.
    *

@@ -52,6 +52,11 @@ describe_arrest(const Scene<dim> &scene,
                 const Event &event,
                 const unsigned int n_rows);
 
+/** What a blade that came through the cut has left out of its path. */
+template <int dim>
+std::optional<std::string>
+describe_path_left_out(const Scene<dim> &scene, const State<dim> &state);
+
 /** Of a blade that presses across the cut only, what the supports miss of its
  * force. */
 std::optional<std::string>

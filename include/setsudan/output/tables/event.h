@@ -16,7 +16,7 @@ struct Event
 {
   /** The solved state that the line describes, counted from 0. */
   unsigned int frame = 0;
-  /** rest, deform, yield, release, arrest or divide. */
+  /** rest, deform, travel, yield, release, arrest or divide. */
   std::string name = "rest";
   unsigned int cut = 0;
   unsigned int row = 0;
