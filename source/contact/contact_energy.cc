@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/contact/contact_path.h>
 
+#include <algorithm>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -10,8 +12,7 @@ Quadratic
 ContactPath<dim>::energy() const
 {
   const auto &[constant, slope] = piece.multipliers;
-  Quadratic result;
-  result.c[0] = energy_at_rest;
+  Quadratic result              = untouched.energy;
   for (unsigned int i = 0; i < conditions.size(); ++i)
     if (piece.active[i])
       for (const auto &[a, factor] : conditions[i].exerted)
@@ -76,6 +77,15 @@ Quadratic
 ContactPath<dim>::unfelt_force() const
 {
   return sum_over(Kind::flank, &Condition::unfelt);
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::walls_force() const
+{
+  return sum_over(Kind::walls, &Condition::force);
 }
 
 
@@ -209,15 +219,32 @@ template <int dim>
 std::vector<double>
 ContactPath<dim>::forces(const double travel) const
 {
-  std::vector<unsigned int> vector_at(products.n());
-  for (unsigned int v = 0; v < place_of.size(); ++v)
-    if (place_of[v] != numbers::invalid_unsigned_int)
-      vector_at[place_of[v]] = v;
   std::vector<double> result(basis.vectors().size(), 0.);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     for (const auto &[place, factor] : conditions[i].exerted)
       result[vector_at[place]] += factor * piece.multipliers(i, travel);
   return result;
+}
+
+
+
+template <int dim>
+std::array<double, 2>
+ContactPath<dim>::violation(const std::vector<double> &measured,
+                            const double travel) const
+{
+  double missing = 0, pull = 0, push = 0;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    {
+      const Condition &condition = conditions[i];
+      double gap = -condition.constant - travel * condition.per_travel;
+      for (const auto &[place, factor] : condition.measured)
+        gap += factor * measured[vector_at[place]];
+      missing = std::max(missing, -gap / condition.area);
+      pull    = std::max(pull, -piece.multipliers(i, travel));
+      push    = std::max(push, piece.multipliers(i, travel));
+    }
+  return {{missing, pull > 0 ? pull / (pull + push) : 0.}};
 }
 
 
@@ -228,6 +255,7 @@ ContactPath<dim>::forces(const double travel) const
   template Quadratic ContactPath<dim>::flank_force() const;                   \
   template Quadratic ContactPath<dim>::friction_force() const;                \
   template Quadratic ContactPath<dim>::unfelt_force() const;                  \
+  template Quadratic ContactPath<dim>::walls_force() const;                   \
   template Quadratic ContactPath<dim>::force_aside() const;                   \
   template double ContactPath<dim>::friction_work(const double, const double) \
     const;                                                                    \
@@ -236,7 +264,9 @@ ContactPath<dim>::forces(const double travel) const
   template Quadratic ContactPath<dim>::energy_set_free(const ContactPath &)   \
     const;                                                                    \
   template double ContactPath<dim>::contact_area() const;                     \
-  template std::vector<double> ContactPath<dim>::forces(const double) const;
+  template std::vector<double> ContactPath<dim>::forces(const double) const;  \
+  template std::array<double, 2> ContactPath<dim>::violation(                 \
+    const std::vector<double> &, const double) const;
 
 INSTANTIATE(2)
 INSTANTIATE(3)

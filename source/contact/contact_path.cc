@@ -20,7 +20,7 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
                               const unsigned int row,
                               const unsigned int n_ahead,
                               const LAPACKFullMatrix<double> &all_products,
-                              const std::vector<double> &work_in_lift,
+                              const UntouchedBody &without_contact,
                               const double smallest_step)
   : basis(basis)
   , profile(profile)
@@ -30,10 +30,9 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   , smallest_step(smallest_step)
   , facets(2 * basis.hats().size(), 0)
 {
-  std::vector<unsigned int> used;
   const auto use = [&](const unsigned int vector) {
-    place_of[vector] = used.size();
-    used.push_back(vector);
+    place_of[vector] = vector_at.size();
+    vector_at.push_back(vector);
   };
   for (unsigned int h = 0; h < basis.hats().size(); ++h)
     if (basis.hats()[h].row < row + n_ahead)
@@ -44,16 +43,17 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
       use(basis.vector_of_edge_node(n));
   for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
     use(basis.first_vector_of_earlier_corners() + i);
-  const unsigned int loads = basis.vectors().size();
-  products.reinit(used.size());
-  for (unsigned int j = 0; j < used.size(); ++j)
+  const unsigned int n = vector_at.size();
+  products.reinit(n);
+  untouched = {{Vector<double>(n), Vector<double>(n)}, without_contact.energy};
+  auto &[constant, slope] = untouched.displacements;
+  for (unsigned int j = 0; j < n; ++j)
     {
-      for (unsigned int i = 0; i < used.size(); ++i)
-        products(i, j) = all_products(used[i], used[j]);
-      displacement_at_rest.push_back(all_products(used[j], loads) +
-                                     work_in_lift[used[j]]);
+      for (unsigned int i = 0; i < n; ++i)
+        products(i, j) = all_products(vector_at[i], vector_at[j]);
+      constant[j] = without_contact.displacements.constant[vector_at[j]];
+      slope[j]    = without_contact.displacements.slope[vector_at[j]];
     }
-  energy_at_rest = -all_products(loads, loads) / 2;
 }
 
 
@@ -67,9 +67,10 @@ ContactPath<dim>::moved(
 {
   const double area        = basis.hats()[h].area;
   const unsigned int place = place_of_hat(h, wall, component);
-  return {
-    {(displacement_at_rest[place] + piece.displacements.constant[place]) / area,
-     piece.displacements.slope[place] / area}};
+  const auto &free         = untouched.displacements;
+  const auto &by_contact   = piece.displacements;
+  return {{(free.constant[place] + by_contact.constant[place]) / area,
+           (free.slope[place] + by_contact.slope[place]) / area}};
 }
 
 

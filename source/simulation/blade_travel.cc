@@ -84,24 +84,8 @@ check_energy(const CutBody<dim> &body, const State<dim> &state)
 
 template <int dim>
 BladeTravel<dim>::BladeTravel(const Scene<dim> &scene)
-  : Drive<dim>(scene)
-  , profile(scene.blade.profile)
-  , search(SplitSearch<dim>::make(scene))
+  : ContactDrive<dim>(scene)
 {
-}
-
-
-
-template <int dim>
-CutContact<dim> &
-BladeTravel<dim>::contact(CutBody<dim> &body)
-{
-  if (!cut_contact || !cut_contact->is_of(body))
-    {
-      path.reset();
-      cut_contact = std::make_unique<CutContact<dim>>(body, profile);
-    }
-  return *cut_contact;
 }
 
 
@@ -145,8 +129,11 @@ BladeTravel<dim>::solve(CutBody<dim> &body,
                         const BladeMotion &motion,
                         const State<dim> &from)
 {
-  State<dim> state = solve_state(
-    body, contact(body).load(*path, row, motion.travel), 1, from.displacement);
+  State<dim> state =
+    solve_state(body,
+                this->contact(body).load(*path, row, motion.travel),
+                1,
+                from.displacement);
   state.motion                 = motion;
   state.motion->edge_force     = path->edge_force()(motion.travel);
   state.motion->flank_force    = path->flank_force()(motion.travel);
@@ -175,7 +162,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
       motion.travel = motion.last_split = motion.shift = 0;
       motion.contacts                                  = {};
     }
-  CutContact<dim> &of_cut = contact(body);
+  CutContact<dim> &of_cut = this->contact(body);
   if (!path)
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
   search->begin(body, of_cut, row, *path, motion);
@@ -198,7 +185,7 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
 {
   BladeMotion motion        = *from.motion;
   const unsigned int before = row - motion.n_rows_to_split;
-  CutContact<dim> &of_cut   = contact(body);
+  CutContact<dim> &of_cut   = this->contact(body);
   if (!path)
     path = of_cut.path(before, row - before, motion, nullptr);
   auto split =

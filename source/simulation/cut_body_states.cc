@@ -83,7 +83,7 @@ CutBody<dim>::cut_strategy() const
   if (newest_seam && !is_finished)
     size = {static_cast<unsigned int>(newest_seam->rows().size()),
             2 * dim * newest_seam->n_double_pairs(),
-            the_scene.blade.travels};
+            the_scene.has_contact()};
   return choose_cut_strategy(
     the_scene.solver, size_of(present_model->discretization), size);
 }
@@ -111,12 +111,12 @@ CutBody<dim>::stages() const
   // criterion may look at states beside those of the cut.
   stages.are_known =
     severed.all_held() &&
-    (the_scene.blade.travels || !the_scene.yield.compares_energies());
+    (the_scene.has_contact() || !the_scene.yield.compares_energies());
   stages.interface_unknowns = [this] {
     IndexSet unknowns = newest_seam->coupled_indices(
       present_model->discretization.dof_handler.n_dofs());
     // Walls of earlier cuts may meet where a blade presses by contact.
-    if (the_scene.blade.travels)
+    if (the_scene.has_contact())
       for (const auto &pairs : finished_pairs)
         for (const auto &pair : pairs)
           for (const auto *side : {&pair.minus, &pair.plus})
@@ -172,6 +172,19 @@ CutBody<dim>::solver_without(const unsigned int row)
 
 
 
+namespace
+{
+/** What a scene may ask for instead of contact. */
+template <int dim>
+std::string
+way_without_contact(const Scene<dim> &scene)
+{
+  return scene.blade.travels ? "Blade/Drive = force"
+                             : "Division/Split rows = opened or free";
+}
+} // namespace
+
+
 template <int dim>
 std::shared_ptr<CondensedSolver<dim>>
 CutBody<dim>::condensed_solver(const unsigned int n_split)
@@ -182,13 +195,15 @@ CutBody<dim>::condensed_solver(const unsigned int n_split)
       "The cut frees a part that nothing holds when row " +
       std::to_string(n_split) +
       " splits, and the blade would push it away. Hold it in subsection "
-      "Support, or set Blade/Drive = force.");
+      "Support, or set " +
+      way_without_contact(the_scene) + ".");
   const auto solver = std::dynamic_pointer_cast<CondensedSolver<dim>>(
     this->solver(std::make_shared<const Constraints>(constraints(states))));
   if (!solver)
     throw SolverError(
       "The blade's contact cannot be found on the unknowns of this cut, since "
-      "they are tied to others. Set Blade/Drive = force.");
+      "they are tied to others. Set " +
+      way_without_contact(the_scene) + ".");
   return solver;
 }
 

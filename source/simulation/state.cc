@@ -49,6 +49,18 @@ lift_of(const CutBody<dim> &body, const State<dim> &state)
 
 
 template <int dim>
+LA::Vector
+all_forces(const State<dim> &state)
+{
+  LA::Vector forces = state.forces;
+  if (state.blade.presses())
+    forces += state.blade.pressure;
+  return forces;
+}
+
+
+
+template <int dim>
 void
 set_solution(const ElasticModel<dim> &model,
              Solution &&solution,
@@ -76,7 +88,7 @@ solve_state(CutBody<dim> &body,
   const EquilibriumProblem<dim> problem{
     body.model(),
     std::make_shared<const AffineConstraints<double>>(body.constraints()),
-    state.forces,
+    all_forces(state),
     lift_of(body, state)};
   set_solution(
     body.model(),
@@ -114,6 +126,7 @@ unbalanced_part(const CutBody<dim> &body,
   template State<dim> loaded_state(                                            \
     const CutBody<dim> &, const BladeLoad<dim> &, const double);               \
   template LA::Vector lift_of(const CutBody<dim> &, const State<dim> &);       \
+  template LA::Vector all_forces(const State<dim> &);                          \
   template void set_solution(                                                  \
     const ElasticModel<dim> &, Solution &&, State<dim> &);                     \
   template State<dim> solve_state(                                             \

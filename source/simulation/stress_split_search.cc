@@ -27,11 +27,8 @@ template <int dim>
 LinearResponse
 StressSplitSearch<dim>::response_at(const double travel) const
 {
-  const State<dim> state =
-    solve_state(*body,
-                contact->load(*path, row, travel),
-                1,
-                body->model().discretization.zero_vector());
+  const State<dim> state = contact->solve(
+    *path, row, travel, body->model().discretization.zero_vector());
   return {state.displacement, state.forces, lift_of(*body, state), 1};
 }
 
@@ -105,6 +102,17 @@ StressSplitSearch<dim>::first_split(const BladeMotion &motion, const double end)
     return {};
   is_asked = true;
   return split_before(motion, last, at_last);
+}
+
+
+
+template <int dim>
+CuttingStress
+StressSplitSearch<dim>::stress_at(const double travel) const
+{
+  SolveQuality quality;
+  return this->scene.criterion->evaluate(
+    *body, row, response_at(travel), nullptr, quality)(0);
 }
 
 

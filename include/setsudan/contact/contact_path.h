@@ -16,6 +16,15 @@
 
 namespace Setsudan
 {
+/** A body under its loads without contact, over the parameter of a path: what
+ * the vectors of a basis measure, and its potential energy, up to what is the
+ * same in all stages of a cut. */
+struct UntouchedBody
+{
+  LinearInParameter displacements;
+  Quadratic energy;
+};
+
 /**
  * The equilibrium of a body with its blade, while the first rows of the cut are
  * split and the blade travels: unilateral contact of the two walls with the
@@ -51,6 +60,13 @@ namespace Setsudan
  *   edge  d.u + k e.u - (1 + k^2) (p - z) >= 0
  *   flank exerts  1 - m t out, t + m along, m xi (1 + t^2)^1/2 aside, where
  *         m = mu / (1 + xi^2)^1/2.
+ *
+ * Where forces on the edge press a blade in that has a thickness T and no
+ * flanks, they rise with the parameter p, and the blade keeps the walls apart:
+ *
+ *   walls  o.u- + o.u+ >= A' T,
+ *
+ * A' being the part of A that belongs to nodes which are split.
  */
 template <int dim>
 class ContactPath
@@ -64,10 +80,9 @@ public:
    *   last one.
    * @param n_ahead  the rows behind that one that may split with it.
    * @param products the work of each vector of the basis as a force in the
-   *   displacement under each other one, in this stage; the last one is the
-   *   body's loads.
-   * @param work_in_lift that in the lift.
-   * @param smallest_step a travel that is small beside a row.
+   *   displacement under each other one, in this stage.
+   * @param untouched the body in this stage without contact.
+   * @param smallest_step of the parameter: a travel that is small beside a row.
    */
   ContactPath(const ContactBasis<dim> &basis,
               const BladeProfile &profile,
@@ -75,7 +90,7 @@ public:
               const unsigned int row,
               const unsigned int n_ahead,
               const dealii::LAPACKFullMatrix<double> &products,
-              const std::vector<double> &work_in_lift,
+              const UntouchedBody &untouched,
               const double smallest_step);
 
   /** Find the contacts where the blade is, beginning with those of another
@@ -99,7 +114,7 @@ public:
   cross_end();
 
   /** The potential energy of the body under its loads, up to what is the same
-   * in all stages of a cut, over the travel. */
+   * in all stages of a cut, over the travel or factor. */
   Quadratic
   energy() const;
 
@@ -114,6 +129,11 @@ public:
   friction_force() const;
   Quadratic
   unfelt_force() const;
+
+  /** The force with which walls of this cut press on each other, or on a blade
+   * without flanks between them. */
+  Quadratic
+  walls_force() const;
 
   /** The force of the blade on the body along its edge. */
   Quadratic
@@ -153,6 +173,14 @@ public:
   std::vector<double>
   forces(const double travel) const;
 
+  /** How far conditions are violated: by how much a gap is too small, in the
+   * mean over its hat, and the largest pull in relation to the largest
+   * pressure.
+   *
+   * @param measured what the vectors of the basis measure of the body. */
+  std::array<double, 2>
+  violation(const std::vector<double> &measured, const double travel) const;
+
 private:
   enum class Kind
   {
@@ -186,6 +214,8 @@ private:
     std::array<double, 2> dissipation{};
     /** What a shift of the blade adds to the gap. */
     double across = 0;
+    /** By which a gap is its mean. */
+    double area = 1;
 
     bool
     is_same(const Condition &other) const;
@@ -274,9 +304,10 @@ private:
   dealii::LAPACKFullMatrix<double> products;
   /** Where the vectors of the basis that the stage uses are in `products`. */
   std::vector<unsigned int> place_of;
-  /** Under the loads alone: the work of the vectors, and the energy. */
-  std::vector<double> displacement_at_rest;
-  double energy_at_rest = 0;
+  /** The vector of the basis at each place. */
+  std::vector<unsigned int> vector_at;
+  /** Without contact, with displacements by place. */
+  UntouchedBody untouched;
   const double smallest_step;
   /** Where a blade that shifts was when this began, and stays while nothing
    * touches it. */

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/simulation/drive.h>
-#include <setsudan/simulation/split_search.h>
+#include <setsudan/simulation/contact_drive.h>
 
-#include <memory>
 #include <optional>
 
 namespace Setsudan
@@ -16,7 +14,7 @@ namespace Setsudan
  * travel, and energies are quadratic.
  */
 template <int dim>
-class BladeTravel : public Drive<dim>
+class BladeTravel : public ContactDrive<dim>
 {
 public:
   explicit BladeTravel(const Scene<dim> &scene);
@@ -36,9 +34,6 @@ public:
   finish(CutBody<dim> &body, const State<dim> &from) override;
 
 private:
-  CutContact<dim> &
-  contact(CutBody<dim> &body);
-
   /** Follow the travel until rows split; nothing where that never happens. */
   std::optional<Split>
   follow(BladeMotion &motion);
@@ -50,10 +45,8 @@ private:
         const BladeMotion &motion,
         const State<dim> &from);
 
-  const BladeProfile profile;
-  const std::unique_ptr<SplitSearch<dim>> search;
-  std::unique_ptr<CutContact<dim>> cut_contact;
-  /** With the rows that are split now. */
-  std::unique_ptr<ContactPath<dim>> path;
+  using ContactDrive<dim>::search;
+  using ContactDrive<dim>::cut_contact;
+  using ContactDrive<dim>::path;
 };
 } // namespace Setsudan
