@@ -267,14 +267,14 @@ ContactBasis<dim>::add_earlier_walls(const ElasticModel<dim> &model,
 
 template <int dim>
 double
-ContactBasis<dim>::required_gap(const unsigned int hat,
-                                const unsigned int n_split) const
+ContactBasis<dim>::split_area(const unsigned int hat,
+                              const unsigned int n_split) const
 {
   double area = 0;
   for (const auto &[pair, weight] : all_hats[hat].weights)
     if (row_of_opening[pair] < n_split)
       area += weight;
-  return blade.thickness * area;
+  return area;
 }
 
 

@@ -79,8 +79,8 @@ ContactPath<dim>::walls_condition(const unsigned int h) const
   condition.kind     = Kind::walls;
   condition.place    = h;
   condition.area     = basis.hats()[h].area;
-  condition.force    = condition.area;
-  condition.constant = basis.required_gap(h, row);
+  condition.force    = basis.split_area(h, row);
+  condition.constant = basis.thickness() * condition.force;
   if (basis.has_flanks())
     condition.measured = {
       {{place_of_hat(h, Wall::minus, Component::outward), 1.},

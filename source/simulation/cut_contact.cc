@@ -217,7 +217,9 @@ CutContact<dim>::load(const ContactPath<dim> &path,
 {
   if (!body.scene().blade.travels)
     {
-      BladeLoad<dim> blade = body.blade_on_row(row);
+      BladeLoad<dim> blade = row < body.seam().rows().size()
+                               ? body.blade_on_row(row)
+                               : no_blade(body.model());
       blade.pressure       = pressure(path, travel);
       blade.opening_force  = path.walls_force()(travel);
       return blade;

@@ -133,11 +133,19 @@ public:
     return blade.has_flanks;
   }
 
-  /** How far the walls are apart at least at a hat, weighted with it, while the
-   * first rows are split: the blade's thickness at nodes that are split and
-   * can be moved apart, and nothing at the others. */
+  /** How far the blade keeps walls apart that meet each other. */
   double
-  required_gap(const unsigned int hat, const unsigned int n_split) const;
+  thickness() const
+  {
+    return blade.thickness;
+  }
+
+  /** The part of a hat's integral that belongs to nodes which can be moved
+   * apart while the first rows are split. At the others walls are tied, or
+   * supported: no gap can be required there, and what presses on both sides
+   * cancels. */
+  double
+  split_area(const unsigned int hat, const unsigned int n_split) const;
 
   /** The number of a hat's vector, if it has flanks, and of what the edge
    * measures at a node: its displacement along the blade's direction and, as

@@ -66,7 +66,9 @@ struct UntouchedBody
  *
  *   walls  o.u- + o.u+ >= A' T,
  *
- * A' being the part of A that belongs to nodes which are split.
+ * A' being the part of A that belongs to nodes which are split: up to the
+ * front, which is tied, the blade's thickness falls to nothing within an
+ * element.
  */
 template <int dim>
 class ContactPath
