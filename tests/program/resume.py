@@ -44,7 +44,8 @@ SCENES = pathlib.Path(__file__).resolve().parents[1] / "scenes"
 # What carries most from one state to the next: multigrid, a ramp of the load, seams
 # made before the yield, refinement for a target, curved elements of two materials.
 KINDS = ["iterative.prm", "double_cantilever.prm", "accuracy.prm", "refined_2d.prm",
-         "group_of_faces.prm", "blade_wedge.prm", "blade_wire.prm", "blade_stress.prm"]
+         "group_of_faces.prm", "blade_wedge.prm", "blade_wire.prm", "blade_stress.prm",
+         "wedged.prm"]
 
 
 class Failure(Exception):
