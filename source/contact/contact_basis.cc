@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values.h>
-
 #include <setsudan/contact/contact_basis.h>
+#include <setsudan/contact/face_hats.h>
 
 #include <algorithm>
 #include <map>
@@ -20,105 +16,24 @@ namespace
  * of the node. */
 using HatWeights = std::map<unsigned int, std::map<unsigned int, double>>;
 
-/** Integrates the weights of the nodes of the cut's faces. */
-template <int dim>
-class HatIntegrator
-{
-public:
-  HatIntegrator(const ElasticModel<dim> &model,
-                const std::vector<NodePair<dim>> &pairs)
-    : discretization(model.discretization)
-    , linear(1)
-    , gauss(discretization.n_gauss_points())
-    , hats(discretization.mapping(), linear, gauss, update_values)
-    , shapes(discretization.mapping(),
-             discretization.fe.base_element(0),
-             gauss,
-             update_values | update_JxW_values)
-  {
-    for (unsigned int p = 0; p < pairs.size(); ++p)
-      pair_of[pairs[p].minus[0]] = p;
-  }
-
-  /** Add the part of a face of an element on the minus side. */
-  void
-  add(const typename Discretization<dim>::Cell &cell, const unsigned int face)
-  {
-    const typename Triangulation<dim>::cell_iterator in_mesh = cell;
-    hats.reinit(in_mesh, face);
-    shapes.reinit(in_mesh, face);
-    const auto nodes  = discretization.node_indices(cell);
-    const auto &units = discretization.nodes();
-    for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        if (GeometryInfo<dim>::unit_cell_vertex(v)[face / 2] == face % 2 &&
-            units[k][face / 2] == face % 2)
-          {
-            double weight = 0;
-            for (const unsigned int q : shapes.quadrature_point_indices())
-              weight += hats.shape_value(v, q) * shapes.shape_value(k, q) *
-                        shapes.JxW(q);
-            // The first nodes of a cell are its vertices.
-            weights[pair_of.at(nodes[v][0])][pair_of.at(nodes[k][0])] += weight;
-          }
-  }
-
-  HatWeights weights;
-
-private:
-  const Discretization<dim> &discretization;
-  const FE_Q<dim> linear;
-  const QGauss<dim - 1> gauss;
-  FEFaceValues<dim> hats, shapes;
-  std::map<types::global_dof_index, unsigned int> pair_of;
-};
 
 
-
-/** A corner on the border between processes has faces on several. */
-HatWeights
-sum_over_processes(const HatWeights &weights, const MPI_Comm communicator)
-{
-  HatWeights sum;
-  for (const auto &of_process :
-       Utilities::MPI::all_gather(communicator, weights))
-    for (const auto &[corner, of_corner] : of_process)
-      for (const auto &[pair, weight] : of_corner)
-        sum[corner][pair] += weight;
-  return sum;
-}
-
-
-
-/** The weights of a cut's nodes. */
+/** The weights of a cut's nodes, which are the same on both of its sides. */
 template <int dim>
 HatWeights
 hat_weights(const ElasticModel<dim> &model, const CutFaces<dim> &cut)
 {
-  std::multimap<unsigned int, unsigned int> faces;
+  std::map<types::global_dof_index, unsigned int> pair_of;
+  for (unsigned int p = 0; p < cut.pairs.size(); ++p)
+    pair_of[cut.pairs[p].minus[0]] = p;
+  std::vector<CellFace> faces;
   for (const auto &face : cut.surface)
-    faces.insert(face.minus);
-  HatIntegrator<dim> integrator(model, cut.pairs);
-  const auto &discretization = model.discretization;
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    {
-      if (!cell->is_locally_owned())
-        continue;
-      const auto range  = faces.equal_range(discretization.element(cell));
-      const auto points = range.first == range.second
-                            ? std::vector<Point<dim>>()
-                            : discretization.points_in_element(cell);
-      for (auto it = range.first; it != range.second; ++it)
-        {
-          const unsigned int face = it->second;
-          // A refined cell may lie away from its element's face.
-          const unsigned int corner =
-            GeometryInfo<dim>::face_to_cell_vertices(face, 0);
-          if (points[corner][face / 2] == face % 2)
-            integrator.add(cell, face);
-        }
-    }
-  return sum_over_processes(integrator.weights, discretization.communicator);
+    faces.push_back(face.minus);
+  HatWeights weights;
+  for (const auto &hat : face_hats(model, faces))
+    for (const auto &[node, weight] : hat.nodes)
+      weights[pair_of.at(hat.corner[0])][pair_of.at(node[0])] = weight;
+  return weights;
 }
 
 
@@ -157,9 +72,11 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
                                 const Seam<dim> &seam,
                                 const BladeEdge<dim> &edge,
                                 const TouchingBlade &blade,
-                                const std::vector<CutFaces<dim>> &earlier)
+                                const std::vector<CutFaces<dim>> &earlier,
+                                const BoardContacts<dim> *board)
   : blade(blade)
   , mpi_communicator(model.discretization.communicator)
+  , the_board(board)
 {
   const auto &pairs   = seam.pairs();
   const double entry  = travels_of_pairs(pairs, edge)[0];
@@ -197,6 +114,8 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
     make_edge_vectors(seam, edge);
   for (const auto &cut : earlier)
     add_earlier_walls(model, cut);
+  if (board)
+    add_board(*board);
 }
 
 
@@ -244,6 +163,27 @@ ContactBasis<dim>::add_gap_vector(const std::vector<NodePair<dim>> &pairs,
         vector.emplace_back(pairs[p].minus[c], -apart);
       }
   all_vectors.push_back(vector);
+}
+
+
+
+template <int dim>
+ContactBasis<dim>::ContactBasis(const MPI_Comm communicator,
+                                const BoardContacts<dim> &board)
+  : mpi_communicator(communicator)
+  , the_board(&board)
+{
+  add_board(board);
+}
+
+
+
+template <int dim>
+void
+ContactBasis<dim>::add_board(const BoardContacts<dim> &board)
+{
+  for (auto &vector : board.vectors())
+    all_vectors.push_back(std::move(vector));
 }
 
 

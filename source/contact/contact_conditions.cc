@@ -14,7 +14,8 @@ bool
 ContactPath<dim>::Condition::is_same(const Condition &other) const
 {
   return kind == other.kind && place == other.place &&
-         (kind != Kind::flank || wall == other.wall);
+         (kind != Kind::flank || wall == other.wall) &&
+         direction == other.direction;
 }
 
 
@@ -80,7 +81,7 @@ ContactPath<dim>::walls_condition(const unsigned int h) const
   condition.place    = h;
   condition.area     = basis.hats()[h].area;
   condition.force    = basis.split_area(h, row);
-  condition.constant = basis.thickness() * condition.force;
+  condition.constant = profile.keeps_apart * condition.force;
   if (basis.has_flanks())
     condition.measured = {
       {{place_of_hat(h, Wall::minus, Component::outward), 1.},
@@ -170,6 +171,7 @@ ContactPath<dim>::make_conditions()
       if (products(place, place) > 0)
         conditions.push_back(earlier_walls_condition(i));
     }
+  add_board_conditions();
   make_problem();
 }
 
@@ -215,12 +217,15 @@ ContactPath<dim>::make_problem()
   // Less than what any number of the results tells.
   if (blade)
     blade->stiffness = 1e-10 / softest;
-  problem = std::make_unique<Complementarity>(products,
-                                              std::move(measured),
-                                              std::move(exerted),
-                                              std::move(required),
-                                              std::move(blade),
-                                              std::move(redundant));
+  problem =
+    std::make_unique<Complementarity>(products,
+                                      ContactConditions{std::move(measured),
+                                                        std::move(exerted),
+                                                        std::move(required),
+                                                        std::move(blade),
+                                                        std::move(redundant),
+                                                        make_leaders(),
+                                                        make_foundation()});
 }
 
 

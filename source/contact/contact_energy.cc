@@ -23,7 +23,32 @@ ContactPath<dim>::energy() const
           result.c[1] += constant[i] * u1 + slope[i] * u0;
           result.c[2] += slope[i] * u1;
         }
+  add_foundation_energy(result);
   return result;
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::add_foundation_energy(Quadratic &energy) const
+{
+  const auto &[constant, slope] = piece.springs;
+  for (unsigned int i = 0; i < constant.size(); ++i)
+    if (const double stiffness = conditions[i].spring; stiffness > 0)
+      {
+        for (const auto &[a, factor] : conditions[i].measured)
+          {
+            const double u0 = factor * piece.displacements.constant[a] / 2;
+            const double u1 = factor * piece.displacements.slope[a] / 2;
+            energy.c[0] += constant[i] * u0;
+            energy.c[1] += constant[i] * u1 + slope[i] * u0;
+            energy.c[2] += slope[i] * u1;
+          }
+        energy.c[0] -= constant[i] * constant[i] / (2 * stiffness);
+        energy.c[1] -= constant[i] * slope[i] / stiffness;
+        energy.c[2] -= slope[i] * slope[i] / (2 * stiffness);
+      }
 }
 
 
@@ -139,6 +164,10 @@ ContactPath<dim>::friction_work(const double begin, const double end) const
                          travel,
                          moves(Component::along),
                          sliding.rubs_aside() ? moves(Component::aside) : 0.);
+      if (condition.kind == Kind::board)
+        work += mean * board_dissipation(condition,
+                                         place_on_board(condition.place, begin),
+                                         place_on_board(condition.place, end));
       // The edge slips along the front as far as it does not grip.
       if (condition.kind == Kind::edge)
         work +=
@@ -155,6 +184,7 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
 {
   using Component = typename ContactBasis<dim>::Component;
   Quadratic work;
+  add_board_friction_to(after, work);
   if (sliding.friction == 0)
     return work;
   // How far a component of a wall moves as rows split, over the travel.
@@ -217,13 +247,39 @@ ContactPath<dim>::contact_area() const
 
 template <int dim>
 std::vector<double>
-ContactPath<dim>::forces(const double travel) const
+ContactPath<dim>::forces_on_vectors(
+  const std::function<double(unsigned int)> &force,
+  const VectorSum Condition::*along) const
 {
   std::vector<double> result(basis.vectors().size(), 0.);
   for (unsigned int i = 0; i < conditions.size(); ++i)
-    for (const auto &[place, factor] : conditions[i].exerted)
-      result[vector_at[place]] += factor * piece.multipliers(i, travel);
+    for (const auto &[place, factor] : conditions[i].*along)
+      result[vector_at[place]] += factor * force(i);
   return result;
+}
+
+
+
+template <int dim>
+std::vector<double>
+ContactPath<dim>::forces(const double travel) const
+{
+  return forces_on_vectors(
+    [&](const unsigned int i) { return piece.multipliers(i, travel); },
+    &Condition::exerted);
+}
+
+
+
+template <int dim>
+std::vector<double>
+ContactPath<dim>::foundation_forces(const double travel) const
+{
+  return forces_on_vectors(
+    [&](const unsigned int i) {
+      return piece.springs.constant.size() == 0 ? 0. : piece.springs(i, travel);
+    },
+    &Condition::measured);
 }
 
 
@@ -237,7 +293,9 @@ ContactPath<dim>::violation(const std::vector<double> &measured,
   for (unsigned int i = 0; i < conditions.size(); ++i)
     {
       const Condition &condition = conditions[i];
-      double gap = -condition.constant - travel * condition.per_travel;
+      if (condition.kind != Kind::walls)
+        continue;
+      double gap = -condition.constant;
       for (const auto &[place, factor] : condition.measured)
         gap += factor * measured[vector_at[place]];
       missing = std::max(missing, -gap / condition.area);
@@ -265,6 +323,8 @@ ContactPath<dim>::violation(const std::vector<double> &measured,
     const;                                                                    \
   template double ContactPath<dim>::contact_area() const;                     \
   template std::vector<double> ContactPath<dim>::forces(const double) const;  \
+  template std::vector<double> ContactPath<dim>::foundation_forces(           \
+    const double) const;                                                      \
   template std::array<double, 2> ContactPath<dim>::violation(                 \
     const std::vector<double> &, const double) const;
 

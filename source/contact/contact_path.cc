@@ -29,6 +29,7 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   , place_of(basis.vectors().size(), numbers::invalid_unsigned_int)
   , smallest_step(smallest_step)
   , facets(2 * basis.hats().size(), 0)
+  , grips(basis.n_board_corners())
 {
   const auto use = [&](const unsigned int vector) {
     place_of[vector] = vector_at.size();
@@ -43,6 +44,8 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
       use(basis.vector_of_edge_node(n));
   for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
     use(basis.first_vector_of_earlier_corners() + i);
+  for (unsigned int i = 0; i < dim * basis.n_board_corners(); ++i)
+    use(basis.vector_of_board_corner(0, 0) + i);
   const unsigned int n = vector_at.size();
   products.reinit(n);
   untouched = {{Vector<double>(n), Vector<double>(n)}, without_contact.energy};
@@ -133,7 +136,10 @@ ContactPath<dim>::settle(const double travel)
     {
       take_piece(travel,
                  [&] { return problem->active_set(travel, piece.active); });
-      if (!update_facets(travel, 1e-2 * smallest_step, round < most_back))
+      const bool moves =
+        update_facets(travel, 1e-2 * smallest_step, round < most_back);
+      const bool slips = update_grips(travel, round == 0);
+      if (!moves && !slips)
         return;
       remake_conditions();
     }
@@ -162,6 +168,7 @@ ContactPath<dim>::take_piece(const double travel,
   ending_condition = ends.empty()
                        ? std::optional<unsigned int>()
                        : std::optional<unsigned int>(ends[0].condition);
+  end_at_slip(travel);
   if (profile.facets.size() < 2)
     return;
   for (const auto &condition : conditions)
@@ -180,6 +187,7 @@ ContactPath<dim>::take_piece(const double travel,
         {
           end_of_piece = p;
           ending_condition.reset();
+          slipping_condition.reset();
         }
     }
 }
@@ -188,12 +196,15 @@ ContactPath<dim>::take_piece(const double travel,
 
 template <int dim>
 void
-ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
+ContactPath<dim>::begin(const BladeMotion &motion,
+                        const ContactPath *neighbour,
+                        const std::vector<double> &measured)
 {
   resting_shift = motion.shift;
   if (neighbour != nullptr)
     {
       facets       = neighbour->facets;
+      grips        = neighbour->grips;
       conditions   = neighbour->conditions;
       piece.active = neighbour->piece.active;
       remake_conditions();
@@ -206,9 +217,16 @@ ContactPath<dim>::begin(const BladeMotion &motion, const ContactPath *neighbour)
           facets        = earlier.facets;
           resting_shift = earlier.resting_shift;
         }
+      begin_grips(measured, earlier.board);
       make_conditions();
       if (earlier.active.size() == conditions.size())
         piece.active = earlier.active;
+      else
+        // The body lies on its board.
+        for (const auto &condition : conditions)
+          piece.active.push_back(
+            condition.kind == Kind::board ||
+            (condition.kind == Kind::grip && basis.board()->friction > 0));
     }
   settle(motion.travel);
 }
@@ -231,6 +249,13 @@ ContactPath<dim>::cross_end()
   const double travel = end_of_piece;
   Assert(std::isfinite(travel), ExcInternalError());
   const double before = energy()(travel);
+  if (slipping_condition)
+    {
+      let_slip(*slipping_condition, travel);
+      remake_conditions();
+      settle(travel);
+      return before - energy()(travel);
+    }
   if (!ending_condition)
     {
       // Where the front is straight all hats of a row do so together.
@@ -240,7 +265,13 @@ ContactPath<dim>::cross_end()
       return before - energy()(travel);
     }
   const unsigned int i = *ending_condition;
-  piece.active[i].flip();
+  problem->flip(piece.active, i);
+  if (conditions[i].kind == Kind::board && piece.active[i] &&
+      basis.board()->friction > 0)
+    {
+      let_stick(i, travel);
+      remake_conditions();
+    }
   take_piece(travel, [&] { return piece.active; });
   const double slope =
     piece.active[i] ? piece.multipliers.slope[i] : piece.gaps.slope[i];
@@ -249,6 +280,11 @@ ContactPath<dim>::cross_end()
     {
       settle(travel + smallest_step);
       end_of_piece = std::max(end_of_piece, travel + smallest_step);
+    }
+  else if (update_grips(travel, true))
+    {
+      remake_conditions();
+      settle(travel);
     }
   // With friction the contacts may spring from one equilibrium to another.
   return before - energy()(travel);

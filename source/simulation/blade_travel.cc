@@ -41,19 +41,6 @@ move_to(const double travel,
 
 
 
-/** The potential energy of a body under its loads without the blade's forces.
- */
-template <int dim>
-double
-energy_under_loads(const State<dim> &state)
-{
-  LA::Vector loads = state.forces;
-  loads -= state.blade.nodal_forces;
-  return state.strain_energy - loads * state.displacement;
-}
-
-
-
 /** @throw InvariantError where the blade's work is not the sum of what it has
  * become. */
 template <int dim>
@@ -130,10 +117,7 @@ BladeTravel<dim>::solve(CutBody<dim> &body,
                         const State<dim> &from)
 {
   State<dim> state =
-    solve_state(body,
-                this->contact(body).load(*path, row, motion.travel),
-                1,
-                from.displacement);
+    cut_contact->state(*path, row, motion.travel, from.displacement);
   state.motion                 = motion;
   state.motion->edge_force     = path->edge_force()(motion.travel);
   state.motion->flank_force    = path->flank_force()(motion.travel);
@@ -162,7 +146,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
       motion.travel = motion.last_split = motion.shift = 0;
       motion.contacts                                  = {};
     }
-  CutContact<dim> &of_cut = this->contact(body);
+  CutContact<dim> &of_cut = this->contact(body, from);
   if (!path)
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
   search->begin(body, of_cut, row, *path, motion);
@@ -185,7 +169,7 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
 {
   BladeMotion motion        = *from.motion;
   const unsigned int before = row - motion.n_rows_to_split;
-  CutContact<dim> &of_cut   = this->contact(body);
+  CutContact<dim> &of_cut   = this->contact(body, from);
   if (!path)
     path = of_cut.path(before, row - before, motion, nullptr);
   auto split =
@@ -208,9 +192,13 @@ template <int dim>
 State<dim>
 BladeTravel<dim>::finish(CutBody<dim> &body, const State<dim> &from)
 {
-  State<dim> state = Drive<dim>::finish(body, from);
-  state.motion     = from.motion;
-  state.motion->work += state.potential_energy - energy_under_loads(from);
+  CutContact<dim> &of_cut = this->contact(body, from);
+  path                    = of_cut.path_without_blade(*from.motion, path.get());
+  State<dim> state        = of_cut.state(
+    *path, body.seam().rows().size(), from.motion->travel, from.displacement);
+  state.blade.row.reset();
+  state.motion = from.motion;
+  state.motion->work += energy_under_loads(state) - energy_under_loads(from);
   state.motion->edge_force       = state.motion->flank_force =
     state.motion->friction_force = state.motion->force_along =
       state.motion->contact_area = 0;

@@ -105,7 +105,7 @@ template <int dim>
 WallOverlap<dim>
 evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
 {
-  event.load_factor    = state.load_factor;
+  event.load_factor    = state.blade.row ? state.load_factor : 0;
   event.cutting_stress = state.stress.reached;
   // A state that is not judged leaves what was required before.
   if (state.stress.required > 0)
@@ -140,6 +140,12 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
   event.max_shear        = extremes.max_shear;
   event.max_displacement = extremes.max_displacement;
 
+  if (state.board)
+    {
+      forces.insert(
+        forces.end(), state.board->forces.begin(), state.board->forces.end());
+      event.board_force = state.board->force;
+    }
   const auto balance    = checked_balance(body, state, forces);
   event.force_residual  = balance.force_residual;
   event.moment_residual = balance.moment_residual;
@@ -176,7 +182,8 @@ check_energy_of_split(const CutBody<dim> &body,
                       const State<dim> &before,
                       const State<dim> &after)
 {
-  const double energy_after = after.potential_energy;
+  const double energy_after =
+    after.strain_energy - after.forces * after.displacement;
   const double energy_before =
     before.strain_energy - after.forces * before.displacement;
 

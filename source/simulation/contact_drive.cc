@@ -3,10 +3,26 @@
 
 namespace Setsudan
 {
+namespace
+{
+/** The body of a blade; a line that forces press in has no facets, but a
+ * thickness. */
+template <int dim>
+BladeProfile
+profile_of(const BladeParameters<dim> &blade)
+{
+  BladeProfile profile = blade.profile;
+  if (!blade.travels)
+    profile.keeps_apart = blade.thickness;
+  return profile;
+}
+} // namespace
+
+
 template <int dim>
 ContactDrive<dim>::ContactDrive(const Scene<dim> &scene)
   : Drive<dim>(scene)
-  , profile(scene.blade.profile)
+  , profile(profile_of(scene.blade))
   , search(SplitSearch<dim>::make(scene))
 {
 }
@@ -15,12 +31,13 @@ ContactDrive<dim>::ContactDrive(const Scene<dim> &scene)
 
 template <int dim>
 CutContact<dim> &
-ContactDrive<dim>::contact(CutBody<dim> &body)
+ContactDrive<dim>::contact(CutBody<dim> &body, const State<dim> &from)
 {
   if (!cut_contact || !cut_contact->is_of(body))
     {
       path.reset();
-      cut_contact = std::make_unique<CutContact<dim>>(body, profile);
+      cut_contact =
+        std::make_unique<CutContact<dim>>(body, profile, from.displacement);
     }
   return *cut_contact;
 }

@@ -60,6 +60,12 @@ CutBody<dim>::rebuild()
                                         the_scene.material,
                                         mpi_communicator,
                                         the_scene.body_parameters.element_type);
+  if (the_scene.board.is_given)
+    present_board = std::make_unique<BoardContacts<dim>>(
+      *present_model,
+      the_scene.board,
+      the_scene.material.smallest_youngs_modulus(),
+      present_mesh.extent());
   severed.remove_loads(*present_model);
 }
 
@@ -170,7 +176,8 @@ CutBody<dim>::make_surgery()
       : find_rows(nodes.back()));
   severed.set_mesh(present_mesh,
                    find_pieces(present_mesh, element_labels.piece),
-                   the_scene.supports);
+                   the_scene.supports,
+                   the_scene.board.faces);
   return uncut;
 }
 

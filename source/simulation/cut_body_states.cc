@@ -84,6 +84,14 @@ CutBody<dim>::cut_strategy() const
     size = {static_cast<unsigned int>(newest_seam->rows().size()),
             2 * dim * newest_seam->n_double_pairs(),
             the_scene.has_contact()};
+  if (present_board)
+    {
+      size.has_contact = true;
+      size.n_interface_unknowns +=
+        present_board
+          ->unknowns(present_model->discretization.dof_handler.n_dofs())
+          .n_elements();
+    }
   return choose_cut_strategy(
     the_scene.solver, size_of(present_model->discretization), size);
 }
@@ -106,15 +114,18 @@ CutBody<dim>::stages() const
   if (has_single_states || cut_strategy().kind != CutStrategy::condensed)
     return {};
   CutStages stages;
-  stages.n_rows = newest_seam->rows().size();
+  stages.n_rows = newest_seam ? newest_seam->rows().size() : 0;
   // Where a piece comes loose constraints change by more than a row, and a
   // criterion may look at states beside those of the cut.
   stages.are_known =
-    severed.all_held() &&
+    newest_seam && severed.all_held() &&
     (the_scene.has_contact() || !the_scene.yield.compares_energies());
   stages.interface_unknowns = [this] {
-    IndexSet unknowns = newest_seam->coupled_indices(
-      present_model->discretization.dof_handler.n_dofs());
+    const auto n_unknowns = present_model->discretization.dof_handler.n_dofs();
+    IndexSet unknowns = newest_seam ? newest_seam->coupled_indices(n_unknowns)
+                                    : IndexSet(n_unknowns);
+    if (present_board)
+      unknowns.add_indices(present_board->unknowns(n_unknowns));
     // Walls of earlier cuts may meet where a blade presses by contact.
     if (the_scene.has_contact())
       for (const auto &pairs : finished_pairs)
@@ -123,6 +134,8 @@ CutBody<dim>::stages() const
             unknowns.add_indices(side->begin(), side->end());
     return unknowns;
   };
+  if (present_board)
+    stages.foundation = [this] { return present_board->springs(); };
   stages.without_ties = [this] {
     auto constraints = constraints_without_seam();
     constraints.close();
@@ -172,6 +185,16 @@ CutBody<dim>::solver_without(const unsigned int row)
 
 
 
+template <int dim>
+bool
+CutBody<dim>::holds_all_after(const unsigned int n_split) const
+{
+  const auto states = newest_seam->states_after(n_split, split_state());
+  return severed.n_floating(*newest_seam, states) <= severed.floating().size();
+}
+
+
+
 namespace
 {
 /** What a scene may ask for instead of contact. */
@@ -189,22 +212,27 @@ template <int dim>
 std::shared_ptr<CondensedSolver<dim>>
 CutBody<dim>::condensed_solver(const unsigned int n_split)
 {
+  const auto of_constraints = [this](const Constraints &constraints) {
+    const auto solver = std::dynamic_pointer_cast<CondensedSolver<dim>>(
+      this->solver(std::make_shared<const Constraints>(constraints)));
+    if (!solver)
+      throw SolverError(
+        "Contact cannot be found on the unknowns of this cut, since they are "
+        "tied to others. Set " +
+        way_without_contact(the_scene) + ".");
+    return solver;
+  };
+  if (!newest_seam)
+    return of_constraints(constraints());
   const auto states = newest_seam->states_after(n_split, split_state());
-  if (severed.n_floating(*newest_seam, states) > severed.floating().size())
+  if (!holds_all_after(n_split))
     throw FloatingPieceError(
       "The cut frees a part that nothing holds when row " +
       std::to_string(n_split) +
       " splits, and the blade would push it away. Hold it in subsection "
       "Support, or set " +
       way_without_contact(the_scene) + ".");
-  const auto solver = std::dynamic_pointer_cast<CondensedSolver<dim>>(
-    this->solver(std::make_shared<const Constraints>(constraints(states))));
-  if (!solver)
-    throw SolverError(
-      "The blade's contact cannot be found on the unknowns of this cut, since "
-      "they are tied to others. Set " +
-      way_without_contact(the_scene) + ".");
-  return solver;
+  return of_constraints(constraints(states));
 }
 
 
@@ -234,6 +262,7 @@ CutBody<dim>::condensed_solver()
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver();             \
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver_without(       \
     const unsigned int);                                                      \
+  template bool CutBody<dim>::holds_all_after(const unsigned int) const;      \
   template std::shared_ptr<CondensedSolver<dim>>                              \
   CutBody<dim>::condensed_solver();                                           \
   template std::shared_ptr<CondensedSolver<dim>>                              \

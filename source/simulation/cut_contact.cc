@@ -13,10 +13,14 @@ using namespace dealii;
 namespace
 {
 /** The depth of the shallowest row but the first. */
+template <int dim>
 double
-shortest_row(const std::vector<Row> &rows, const double whole)
+shortest_row(const CutBody<dim> &body)
 {
-  double shortest = whole;
+  double shortest = body.mesh().extent();
+  if (!body.has_cut())
+    return shortest;
+  const auto &rows = body.seam().rows();
   for (unsigned int row = 1; row < rows.size(); ++row)
     shortest = std::min(shortest, rows[row].depth - rows[row - 1].depth);
   return shortest;
@@ -31,34 +35,25 @@ double
 small_step(const CutBody<dim> &body)
 {
   return 1e-9 * (body.scene().blade.travels
-                   ? shortest_row(body.seam().rows(), body.mesh().extent())
+                   ? shortest_row(body)
                    : std::max(1., body.scene().division.max_load_factor));
 }
 
 
 
-/** How many rows may be split while the blade presses. Under forces it is gone
- * behind the last one, which only an energy is asked for. */
+/** How many rows may be split with contact. Under forces the blade is gone
+ * behind the last one, and so may pieces be, unless an energy asks for them. */
 template <int dim>
 unsigned int
 last_stage(const CutBody<dim> &body)
 {
+  if (!body.has_cut())
+    return 0;
   const unsigned int n_rows = body.seam().rows().size();
-  return body.scene().blade.travels || body.scene().yield.compares_energies()
+  return body.scene().blade.travels || body.scene().yield.compares_energies() ||
+             body.holds_all_after(n_rows)
            ? n_rows
            : n_rows - 1;
-}
-
-
-
-template <int dim>
-TouchingBlade
-touching_blade(const BladeParameters<dim> &blade, const BladeProfile &profile)
-{
-  return {blade.sliding,
-          !profile.facets.empty(),
-          blade.travels,
-          blade.travels ? 0. : blade.thickness};
 }
 
 
@@ -89,15 +84,49 @@ forces_on_edge(const CutBody<dim> &body, const unsigned int n_split)
 
 
 template <int dim>
-CutContact<dim>::CutContact(CutBody<dim> &body, const BladeProfile &profile)
-  : body(body)
-  , profile(profile)
-  , basis(body.model(),
+unsigned int
+CutContact<dim>::n_rows(const CutBody<dim> &body)
+{
+  return body.has_cut() ? body.seam().rows().size() : 0;
+}
+
+
+
+template <int dim>
+bool
+CutContact<dim>::has_forces() const
+{
+  return body.has_cut() && !body.scene().blade.travels;
+}
+
+
+
+template <int dim>
+ContactBasis<dim>
+CutContact<dim>::make_basis(CutBody<dim> &body, const BladeProfile &profile)
+{
+  if (!body.has_cut())
+    return {body.communicator(), *body.board()};
+  return {body.model(),
           body.surface(),
           body.seam(),
           body.cut().edge,
-          touching_blade(body.scene().blade, profile),
-          body.earlier_cuts())
+          {body.scene().blade.sliding,
+           !profile.facets.empty(),
+           body.scene().blade.travels},
+          body.earlier_cuts(),
+          body.board()};
+}
+
+
+
+template <int dim>
+CutContact<dim>::CutContact(CutBody<dim> &body,
+                            const BladeProfile &profile,
+                            const LA::Vector &displacement)
+  : body(body)
+  , profile(profile)
+  , basis(make_basis(body, profile))
   // With all rows split, which says whether all that is cut is held.
   , solver(body.condensed_solver(last_stage(body)))
   , step(small_step(body))
@@ -106,12 +135,32 @@ CutContact<dim>::CutContact(CutBody<dim> &body, const BladeProfile &profile)
   for (unsigned int n = 0; n <= last_stage(body); ++n)
     {
       n_free.push_back(body.condensed_solver(n)->n_free());
-      if (!body.scene().blade.travels)
+      if (has_forces())
         vectors.push_back(forces_on_edge(body, n));
     }
   compliance =
     solver->compliance(vectors, body.model().loads, body.model().lift);
   products.reinit(vectors.size() + 1);
+  if (body.board())
+    measured = measure(displacement);
+}
+
+
+
+template <int dim>
+std::vector<double>
+CutContact<dim>::measure(const LA::Vector &displacement) const
+{
+  std::vector<double> result;
+  for (const auto &vector : basis.vectors())
+    {
+      result.push_back(0);
+      for (const auto &[unknown, factor] : vector)
+        if (body.model().discretization.owned.is_element(unknown))
+          result.back() += factor * displacement(unknown);
+    }
+  Utilities::MPI::sum(result, body.communicator(), result);
+  return result;
 }
 
 
@@ -154,16 +203,39 @@ CutContact<dim>::path(const unsigned int n_split,
                       const BladeMotion &motion,
                       const ContactPath<dim> *neighbour)
 {
+  return path(profile, n_split, n_ahead, motion, neighbour);
+}
+
+
+
+template <int dim>
+std::unique_ptr<ContactPath<dim>>
+CutContact<dim>::path_without_blade(const BladeMotion &motion,
+                                    const ContactPath<dim> *neighbour)
+{
+  return path(no_profile, n_rows(body), 0, motion, neighbour);
+}
+
+
+
+template <int dim>
+std::unique_ptr<ContactPath<dim>>
+CutContact<dim>::path(const BladeProfile &of_blade,
+                      const unsigned int n_split,
+                      const unsigned int n_ahead,
+                      const BladeMotion &motion,
+                      const ContactPath<dim> *neighbour)
+{
   advance_products(n_free[n_split]);
   auto path = std::make_unique<ContactPath<dim>>(basis,
-                                                 profile,
+                                                 of_blade,
                                                  body.scene().blade.sliding,
                                                  n_split,
                                                  n_ahead,
                                                  products,
                                                  untouched(n_split),
                                                  step);
-  path->begin(motion, neighbour);
+  path->begin(motion, neighbour, measured);
   return path;
 }
 
@@ -179,7 +251,7 @@ CutContact<dim>::untouched(const unsigned int n_split) const
   result.energy.c[0]  = -products(loads, loads) / 2;
   for (unsigned int v = 0; v < n; ++v)
     result.displacements.constant[v] = products(v, loads) + in_lift[v];
-  if (body.scene().blade.travels)
+  if (!has_forces())
     return result;
   const unsigned int edge = n + n_split;
   for (unsigned int v = 0; v < n; ++v)
@@ -192,51 +264,50 @@ CutContact<dim>::untouched(const unsigned int n_split) const
 
 
 template <int dim>
-LA::Vector
-CutContact<dim>::pressure(const ContactPath<dim> &path,
-                          const double travel) const
+std::map<types::global_dof_index, double>
+CutContact<dim>::on_unknowns(const std::vector<double> &forces,
+                             const unsigned int begin,
+                             const unsigned int end) const
 {
-  LA::Vector forces     = body.model().discretization.zero_vector();
-  const auto of_vectors = path.forces(travel);
-  for (unsigned int v = 0; v < of_vectors.size(); ++v)
-    if (of_vectors[v] != 0)
+  std::map<types::global_dof_index, double> of_unknowns;
+  for (unsigned int v = begin; v < end; ++v)
+    if (forces[v] != 0)
       for (const auto &[unknown, factor] : basis.vectors()[v])
-        if (body.model().discretization.owned.is_element(unknown))
-          forces(unknown) += factor * of_vectors[v];
-  forces.compress(VectorOperation::add);
-  return forces;
+        of_unknowns[unknown] += factor * forces[v];
+  return of_unknowns;
+}
+
+
+
+template <int dim>
+LA::Vector
+CutContact<dim>::nodal_forces(
+  const std::map<types::global_dof_index, double> &forces) const
+{
+  LA::Vector vector = body.model().discretization.zero_vector();
+  for (const auto &[unknown, force] : forces)
+    if (body.model().discretization.owned.is_element(unknown))
+      vector(unknown) = force;
+  vector.compress(VectorOperation::insert);
+  return vector;
 }
 
 
 
 template <int dim>
 BladeLoad<dim>
-CutContact<dim>::load(const ContactPath<dim> &path,
-                      const unsigned int row,
-                      const double travel) const
+CutContact<dim>::blade_load(const ContactPath<dim> &path,
+                            const unsigned int row,
+                            const double travel) const
 {
-  if (!body.scene().blade.travels)
-    {
-      BladeLoad<dim> blade = row < body.seam().rows().size()
-                               ? body.blade_on_row(row)
-                               : no_blade(body.model());
-      blade.pressure       = pressure(path, travel);
-      blade.opening_force  = path.walls_force()(travel);
-      return blade;
-    }
   BladeLoad<dim> blade = no_blade(body.model());
+  if (!body.has_cut())
+    return blade;
   // Behind the last row the blade stays with it.
   blade.row = std::min<unsigned int>(row, body.seam().rows().size() - 1);
-  std::map<types::global_dof_index, double> forces;
-  const auto of_vectors = path.forces(travel);
-  for (unsigned int v = 0; v < of_vectors.size(); ++v)
-    if (of_vectors[v] != 0)
-      for (const auto &[unknown, factor] : basis.vectors()[v])
-        forces[unknown] += factor * of_vectors[v];
-  for (const auto &[unknown, force] : forces)
-    if (body.model().discretization.owned.is_element(unknown))
-      blade.nodal_forces(unknown) = force;
-  blade.nodal_forces.compress(VectorOperation::insert);
+  const auto forces =
+    on_unknowns(path.forces(travel), 0, basis.vector_of_board_corner(0, 0));
+  blade.nodal_forces = nodal_forces(forces);
   for (const auto &pair : body.seam().pairs())
     for (const auto *side : {&pair.minus, &pair.plus})
       {
@@ -253,18 +324,68 @@ CutContact<dim>::load(const ContactPath<dim> &path,
 
 
 template <int dim>
+std::optional<BoardLoad<dim>>
+CutContact<dim>::board_load(const ContactPath<dim> &path,
+                            const double travel) const
+{
+  if (!body.board())
+    return {};
+  const auto of_board = [&](const std::vector<double> &forces) {
+    return nodal_forces(on_unknowns(
+      forces, basis.vector_of_board_corner(0, 0), basis.vectors().size()));
+  };
+  const auto forces = path.forces(travel);
+  BoardLoad<dim> load{of_board(forces),
+                      of_board(path.foundation_forces(travel)),
+                      {},
+                      path.board_force()(travel)};
+  const auto &corners = body.board()->corners();
+  for (unsigned int i = 0; i < corners.size(); ++i)
+    {
+      Tensor<1, dim> force;
+      for (unsigned int d = 0; d < dim; ++d)
+        force += forces[basis.vector_of_board_corner(i, d)] *
+                 corners[i].hat.area * body.board()->directions()[d];
+      if (force.norm() > 0)
+        load.forces.push_back({corners[i].hat.center, force});
+    }
+  return load;
+}
+
+
+
+template <int dim>
 State<dim>
-CutContact<dim>::solve(const ContactPath<dim> &path,
+CutContact<dim>::state(const ContactPath<dim> &path,
                        const unsigned int row,
                        const double travel,
                        const LA::Vector &guess) const
 {
-  const bool travels = body.scene().blade.travels;
-  State<dim> state =
-    solve_state(body, load(path, row, travel), travels ? 1 : travel, guess);
-  if (!travels)
-    check(path, state);
+  if (!has_forces())
+    return solve_state(
+      body, blade_load(path, row, travel), 1, guess, board_load(path, travel));
+  const State<dim> state =
+    solve_state(body, pressing_blade(path, row, travel), travel, guess);
+  check(path, state);
   return state;
+}
+
+
+
+template <int dim>
+BladeLoad<dim>
+CutContact<dim>::pressing_blade(const ContactPath<dim> &path,
+                                const unsigned int row,
+                                const double load_factor) const
+{
+  BladeLoad<dim> blade =
+    row < n_rows(body) ? body.blade_on_row(row) : no_blade(body.model());
+  blade.pressure = nodal_forces(
+    on_unknowns(path.forces(load_factor), 0, basis.vectors().size()));
+  // Behind the last row it is gone.
+  if (blade.row)
+    blade.opening_force = path.walls_force()(load_factor);
+  return blade;
 }
 
 
@@ -274,20 +395,11 @@ void
 CutContact<dim>::check(const ContactPath<dim> &path,
                        const State<dim> &state) const
 {
-  std::vector<double> measured;
-  for (const auto &vector : basis.vectors())
-    {
-      measured.push_back(0);
-      for (const auto &[unknown, factor] : vector)
-        if (body.model().discretization.owned.is_element(unknown))
-          measured.back() += factor * state.displacement(unknown);
-    }
-  Utilities::MPI::sum(measured, body.communicator(), measured);
-  const auto [missing, pull] = path.violation(measured, state.load_factor);
-  const double largest       = state.displacement.linfty_norm();
-  const double allowed =
-    1e-10 * std::max(body.scene().blade.thickness, largest) +
-    10 * state.quality.estimated_relative_error * largest;
+  const auto [missing, pull] =
+    path.violation(measure(state.displacement), state.load_factor);
+  const double largest = state.displacement.linfty_norm();
+  const double allowed = 1e-10 * std::max(profile.keeps_apart, largest) +
+                         10 * state.quality.estimated_relative_error * largest;
   if (missing <= allowed && pull <= 1e-10)
     return;
   std::ostringstream message;
@@ -301,6 +413,24 @@ CutContact<dim>::check(const ContactPath<dim> &path,
 
 
 
+template <int dim>
+State<dim>
+state_on_board(CutBody<dim> &body, const State<dim> &from)
+{
+  const BladeProfile no_blade;
+  CutContact<dim> contact(body, no_blade, from.displacement);
+  State<dim> state = contact.state(
+    *contact.path_without_blade({}, nullptr), 0, 0, from.displacement);
+  state.motion = from.motion;
+  return state;
+}
+
+
+
 template class CutContact<2>;
 template class CutContact<3>;
+template State<2>
+state_on_board(CutBody<2> &, const State<2> &);
+template State<3>
+state_on_board(CutBody<3> &, const State<3> &);
 } // namespace Setsudan

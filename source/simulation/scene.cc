@@ -82,6 +82,7 @@ Scene<dim>::declare(ParameterHandler &handler)
   LoadParameters<dim>::declare(handler);
   BladeParameters<dim>::declare(handler);
   CutParameters<dim>::declare(handler);
+  BoardParameters<dim>::declare(handler);
   YieldParameters::declare(handler);
   DivisionParameters::declare(handler);
   AccuracyParameters::declare(handler);
@@ -109,6 +110,19 @@ given_support(const Parameters &parameters)
 
 
 
+/** How many rigid motions the supports leave a body. */
+template <int dim>
+unsigned int
+n_free_motions(const Body<dim> &body, const Supports<dim> &supports)
+{
+  std::vector<unsigned int> elements(body.mesh.cells.size());
+  std::iota(elements.begin(), elements.end(), 0);
+  return find_minimal_hold(supports.held_points(elements), body.mesh.vertices)
+    .size();
+}
+
+
+
 /** Refuse a body that its supports do not hold. */
 template <int dim>
 void
@@ -116,17 +130,14 @@ check_supports(const Parameters &parameters,
                const Body<dim> &body,
                const Supports<dim> &supports)
 {
-  std::vector<unsigned int> elements(body.mesh.cells.size());
-  std::iota(elements.begin(), elements.end(), 0);
-  const auto hold =
-    find_minimal_hold(supports.held_points(elements), body.mesh.vertices);
+  const unsigned int n_ways = n_free_motions(body, supports);
   parameters.require(
-    hold.empty(),
+    n_ways == 0,
     "Support",
     given_support(parameters),
     "groups, boxes and nodes that hold the body; with these it is free to move "
     "rigidly in " +
-      std::to_string(hold.size()) + (hold.size() == 1 ? " way" : " ways"));
+      std::to_string(n_ways) + (n_ways == 1 ? " way" : " ways"));
   if (const auto loose = describe_loose_part(body, supports))
     parameters.reject("Support",
                       given_support(parameters),
@@ -140,6 +151,27 @@ check_supports(const Parameters &parameters,
                       "the node at " +
                         text_of(*node) + " they do not");
 }
+
+/** Refuse what a body on a board cannot do. */
+template <int dim>
+void
+check_board(const Parameters &parameters, const Scene<dim> &scene)
+{
+  parameters.require(scene.cut.cuts.empty() || scene.blade.travels,
+                     "Board",
+                     "Plane",
+                     "nothing where a body is cut with Blade/Drive = force, "
+                     "which has no contact");
+  parameters.require(scene.board.friction > 0 ||
+                       n_free_motions(scene.body, scene.supports) == 0,
+                     "Board",
+                     "Friction",
+                     "more than 0 where no support holds the body");
+  parameters.require(
+    scene.accuracy.target == 0, "Accuracy", "Target", "0 on a board");
+}
+
+
 
 /** Refuse a blade that is wider than the body across a cut. */
 template <int dim>
@@ -238,6 +270,7 @@ Scene<dim>::Scene(const Parameters &parameters)
   , rate(parameters)
   , blade(parameters)
   , cut(parameters, body, supports, blade)
+  , board(parameters, body)
   , yield(parameters)
   , criterion(YieldCriterion<dim>::make(yield, material, blade.sharpness))
   , division(parameters)
@@ -249,7 +282,10 @@ Scene<dim>::Scene(const Parameters &parameters)
              body_parameters,
              cut,
              estimate_size(body_parameters, body, cut, solver));
-  check_supports(parameters, body, supports);
+  if (board.is_given)
+    check_board(parameters, *this);
+  else
+    check_supports(parameters, body, supports);
   if (blade.travels)
     check_travel(parameters, *this);
   if (has_contact())

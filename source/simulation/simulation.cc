@@ -5,6 +5,7 @@
 #include <setsudan/simulation/accuracy/choose_refinement.h>
 #include <setsudan/simulation/accuracy/state_error.h>
 #include <setsudan/simulation/checks.h>
+#include <setsudan/simulation/cut_contact.h>
 #include <setsudan/simulation/messages.h>
 #include <setsudan/simulation/simulation.h>
 
@@ -59,7 +60,11 @@ Simulation<dim>::run()
   if (checkpoint)
     goes_on = resume();
   else
-    rest();
+    {
+      rest();
+      if (body.board())
+        lie();
+    }
   if (scene.cut.cuts.empty())
     deform_only();
   for (unsigned int cut = checkpoint ? checkpoint->event.cut + 1 : 0;
@@ -94,9 +99,11 @@ Simulation<dim>::make_cut(const unsigned int cut)
     return true;
   if (scene.needs_seam())
     {
-      const auto motion = state.motion;
-      state             = solve(body.blade_on_row(0), 1);
       // What a blade that travels has done in earlier cuts.
+      const auto motion = state.motion;
+      // A body on a board lies there already.
+      if (!body.board())
+        state = solve(body.blade_on_row(0), 1);
       state.motion = motion;
       split_nodes();
     }
@@ -150,7 +157,24 @@ Simulation<dim>::rest()
     event.errors = std::array<double, 2>{{0., 0.}};
   if (scene.blade.travels)
     event.motion = BladeMotion();
+  if (body.board())
+    event.board_force = 0;
   results.record("rest", event);
+  results.write_state(body, state, event, true);
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::lie()
+{
+  const auto lying = [&] {
+    const TimerOutput::Scope section(timer, "solve");
+    return state_on_board(body, state);
+  };
+  accept(lying());
+  results.record("deform", event);
   results.write_state(body, state, event, true);
 }
 
@@ -164,6 +188,9 @@ Simulation<dim>::deform_only()
     results.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
+  // On a board it has been deformed already.
+  if (body.board())
+    return;
   accept(solve(no_blade(body.model()), 0));
   results.record("deform", event);
   results.write_state(body, state, event, true);

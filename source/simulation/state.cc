@@ -24,13 +24,17 @@ template <int dim>
 State<dim>
 loaded_state(const CutBody<dim> &body,
              const BladeLoad<dim> &blade,
-             const double load_factor)
+             const double load_factor,
+             const std::optional<BoardLoad<dim>> &board)
 {
   State<dim> state  = rest_state(body);
   state.blade       = blade;
   state.load_factor = load_factor;
   state.forces      = body.model().loads;
   state.forces.add(load_factor, blade.nodal_forces);
+  state.board = board;
+  if (board)
+    state.forces += board->nodal_forces;
   state.opening = body.opening();
   return state;
 }
@@ -73,6 +77,18 @@ set_solution(const ElasticModel<dim> &model,
     stored_energy(model, state.displacement, state.internal);
   state.potential_energy =
     state.strain_energy - state.forces * state.displacement;
+  if (state.board)
+    state.potential_energy += state.board->nodal_forces * state.displacement;
+}
+
+
+
+template <int dim>
+double
+energy_under_loads(const State<dim> &state)
+{
+  return state.potential_energy +
+         state.load_factor * (state.blade.nodal_forces * state.displacement);
 }
 
 
@@ -82,13 +98,17 @@ State<dim>
 solve_state(CutBody<dim> &body,
             const BladeLoad<dim> &blade,
             const double load_factor,
-            const LA::Vector &guess)
+            const LA::Vector &guess,
+            const std::optional<BoardLoad<dim>> &board)
 {
-  State<dim> state = loaded_state(body, blade, load_factor);
+  State<dim> state  = loaded_state(body, blade, load_factor, board);
+  LA::Vector forces = all_forces(state);
+  if (board)
+    forces += board->foundation_forces;
   const EquilibriumProblem<dim> problem{
     body.model(),
     std::make_shared<const AffineConstraints<double>>(body.constraints()),
-    all_forces(state),
+    forces,
     lift_of(body, state)};
   set_solution(
     body.model(),
@@ -110,6 +130,11 @@ unbalanced_part(const CutBody<dim> &body,
   LA::Vector forces = body.model().loads;
   forces.add(state.load_factor, blade.nodal_forces);
   forces -= state.internal;
+  // A board may do to its nodes whatever it does.
+  if (body.board())
+    for (const auto unknown : body.board()->unknowns(forces.size()))
+      if (body.model().discretization.owned.is_element(unknown))
+        forces(unknown) = 0;
   const double unbalanced = condense(body.constraints(), forces).l2_norm();
   double all              = state.internal.l2_norm();
   // Where nothing strains the body both are round-off of what it would resist
@@ -121,17 +146,23 @@ unbalanced_part(const CutBody<dim> &body,
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template State<dim> rest_state(const CutBody<dim> &);                        \
-  template State<dim> loaded_state(                                            \
-    const CutBody<dim> &, const BladeLoad<dim> &, const double);               \
-  template LA::Vector lift_of(const CutBody<dim> &, const State<dim> &);       \
-  template LA::Vector all_forces(const State<dim> &);                          \
-  template void set_solution(                                                  \
-    const ElasticModel<dim> &, Solution &&, State<dim> &);                     \
-  template State<dim> solve_state(                                             \
-    CutBody<dim> &, const BladeLoad<dim> &, const double, const LA::Vector &); \
-  template double unbalanced_part(                                             \
+#define INSTANTIATE(dim)                                                   \
+  template State<dim> rest_state(const CutBody<dim> &);                    \
+  template State<dim> loaded_state(const CutBody<dim> &,                   \
+                                   const BladeLoad<dim> &,                 \
+                                   const double,                           \
+                                   const std::optional<BoardLoad<dim>> &); \
+  template LA::Vector lift_of(const CutBody<dim> &, const State<dim> &);   \
+  template LA::Vector all_forces(const State<dim> &);                      \
+  template void set_solution(                                              \
+    const ElasticModel<dim> &, Solution &&, State<dim> &);                 \
+  template State<dim> solve_state(CutBody<dim> &,                          \
+                                  const BladeLoad<dim> &,                  \
+                                  const double,                            \
+                                  const LA::Vector &,                      \
+                                  const std::optional<BoardLoad<dim>> &);  \
+  template double energy_under_loads(const State<dim> &);                  \
+  template double unbalanced_part(                                         \
     const CutBody<dim> &, const BladeLoad<dim> &, const State<dim> &);
 
 INSTANTIATE(2)

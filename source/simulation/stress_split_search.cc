@@ -27,7 +27,7 @@ template <int dim>
 LinearResponse
 StressSplitSearch<dim>::response_at(const double travel) const
 {
-  const State<dim> state = contact->solve(
+  const State<dim> state = contact->state(
     *path, row, travel, body->model().discretization.zero_vector());
   return {state.displacement, state.forces, lift_of(*body, state), 1};
 }

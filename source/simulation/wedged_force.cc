@@ -46,12 +46,12 @@ WedgedForce<dim>::advance(CutBody<dim> &body,
   // The load factor stands in the place of a travel.
   BladeMotion load;
   load.travel             = !rises ? 1 : is_checked ? 0 : from.load_factor;
-  CutContact<dim> &of_cut = this->contact(body);
+  CutContact<dim> &of_cut = this->contact(body, from);
   this->path              = of_cut.path(row, 0, load, this->path.get());
   this->search->begin(body, of_cut, row, *this->path, load);
   const auto split = rises && is_checked ? ramp(load) : std::optional<Split>();
   State<dim> state =
-    of_cut.solve(*this->path, row, load.travel, from.displacement);
+    of_cut.state(*this->path, row, load.travel, from.displacement);
   state.stress = split ? split->stress : this->search->stress_at(load.travel);
   state.yields = split || !is_checked || (!rises && state.stress.yields());
   return state;
@@ -63,9 +63,17 @@ template <int dim>
 State<dim>
 WedgedForce<dim>::finish(CutBody<dim> &body, const State<dim> &from)
 {
+  CutContact<dim> *const of_cut = this->cut_contact.get();
+  State<dim> state =
+    of_cut != nullptr && of_cut->has_last_stage() && of_cut->is_of(body)
+      ? of_cut->state(*of_cut->path_without_blade({}, this->path.get()),
+                      body.seam().rows().size(),
+                      0,
+                      from.displacement)
+      : Drive<dim>::finish(body, from);
   this->path.reset();
   this->cut_contact.reset();
-  return Drive<dim>::finish(body, from);
+  return state;
 }
 
 

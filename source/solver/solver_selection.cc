@@ -62,7 +62,8 @@ SolverSelection<dim>::condense(const ElasticModel<dim> &model,
   auto solver = std::make_shared<CondensedSolver<dim>>(
     model,
     std::make_shared<const Constraints>(stages.without_ties()),
-    stages.interface_unknowns());
+    stages.interface_unknowns(),
+    stages.foundation());
   if (stages.are_known)
     {
       for (unsigned int n_split = 0; n_split <= stages.n_rows; ++n_split)

@@ -2,8 +2,10 @@
 // Random complementarity problems with a symmetric positive definite matrix:
 // from any active set the same solution is found, it obeys the conditions, and
 // pieces that are followed from breakpoint to breakpoint are the solutions that
-// are found anew between them; also where gaps share an unknown. A problem that
-// has no solution is refused.
+// are found anew between them; also where gaps share an unknown, where some
+// conditions are equations that follow others, and where the body is held by a
+// foundation that is taken out again. A problem that has no solution is
+// refused.
 
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/parameters/exceptions.h>
@@ -80,7 +82,7 @@ test(const unsigned int n, Generator &generator)
       required.slope[i]    = normal(generator);
     }
   const auto vectors = single_vectors(n);
-  const Complementarity problem(products, vectors, vectors, required);
+  const Complementarity problem(products, {vectors, vectors, required});
 
   const ActiveSet first = problem.active_set(0);
   bool is_unique        = true;
@@ -134,12 +136,10 @@ test_shared(const unsigned int n, Generator &generator)
       with_unknown(i, j) = products(i, j) + factor[i] * factor[j] / stiffness;
   const auto vectors = single_vectors(n);
   const LinearInParameter constant{required, Vector<double>(n)};
-  const Complementarity expected(with_unknown, vectors, vectors, constant);
-  const Complementarity problem(products,
-                                vectors,
-                                vectors,
-                                constant,
-                                SharedUnknown{factor, factor, stiffness});
+  const Complementarity expected(with_unknown, {vectors, vectors, constant});
+  const Complementarity problem(
+    products,
+    {vectors, vectors, constant, SharedUnknown{factor, factor, stiffness}});
   const ActiveSet active = problem.active_set(0);
   const auto piece       = problem.piece(active);
   auto difference        = piece.multipliers.constant;
@@ -155,6 +155,92 @@ test_shared(const unsigned int n, Generator &generator)
 }
 
 
+/** Some conditions are followed by an equation each. */
+void
+test_followers(const unsigned int n, Generator &generator)
+{
+  std::normal_distribution<double> normal;
+  // With much coupling there may be no solution.
+  auto products = random_products(2 * n, generator);
+  LinearInParameter required{Vector<double>(2 * n), Vector<double>(2 * n)};
+  std::vector<unsigned int> leader;
+  for (unsigned int i = 0; i < 2 * n; ++i)
+    {
+      products(i, i) += 2;
+      required.constant[i] = i < n ? normal(generator) : 0;
+      leader.push_back(i % n);
+    }
+  const auto vectors = single_vectors(2 * n);
+  ContactConditions conditions{vectors, vectors, required};
+  conditions.leader = leader;
+  const Complementarity problem(products, conditions);
+  const auto piece   = problem.piece(problem.active_set(0));
+  const auto &lambda = piece.multipliers.constant;
+  Vector<double> gap(2 * n);
+  products.vmult(gap, lambda);
+  gap -= required.constant;
+  double violated = 0, other = 0;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      violated =
+        std::max({violated, -lambda[i], -gap[i], std::abs(lambda[i] * gap[i])});
+      other = std::max(
+        other, lambda[i] > 0 ? std::abs(gap[n + i]) : std::abs(lambda[n + i]));
+    }
+  const double scale = 1 + lambda.linfty_norm();
+  check_below("  leaders", violated / scale, 1e-9);
+  check_below("  followers", other / scale, 1e-9);
+}
+
+
+/** The inverse of K, and of K with springs at the first few unknowns, pose the
+ * same problem once the springs are taken out. */
+void
+test_foundation(const unsigned int n, Generator &generator)
+{
+  std::normal_distribution<double> normal;
+  const unsigned int n_springs = (n + 1) / 2;
+  auto stiffness               = random_products(n, generator);
+  for (unsigned int i = 0; i < n; ++i)
+    stiffness(i, i) += 0.1;
+  auto with_springs = stiffness;
+  Vector<double> springs(n), closed(n), loads(n), required(n);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      closed[i] = normal(generator);
+      loads[i]  = normal(generator);
+      if (i < n_springs)
+        springs[i] = 0.5 + i;
+      with_springs(i, i) += springs[i];
+    }
+  const auto vectors = single_vectors(n);
+  const auto solve   = [&](LAPACKFullMatrix<double> &matrix,
+                         const std::optional<Foundation> &foundation) {
+    matrix.invert();
+    Vector<double> at_rest(n);
+    matrix.vmult(at_rest, loads);
+    LinearInParameter b{closed, Vector<double>(n)};
+    b.constant -= at_rest;
+    ContactConditions conditions{vectors, vectors, b};
+    conditions.foundation = foundation;
+    const Complementarity problem(matrix, conditions);
+    return problem.piece(problem.active_set(0));
+  };
+  const auto expected = solve(stiffness, {});
+  const auto piece    = solve(with_springs, Foundation{springs, closed});
+  auto multipliers    = piece.multipliers.constant;
+  multipliers -= expected.multipliers.constant;
+  auto gaps = piece.gaps.constant;
+  gaps -= expected.gaps.constant;
+  std::cout << n << ": "
+            << (piece.active == expected.active ? "same" : "FAILED, another")
+            << " active set on a foundation" << std::endl;
+  const double scale = 1 + expected.gaps.constant.linfty_norm();
+  check_below("  multipliers", multipliers.linfty_norm() / scale, 1e-9);
+  check_below("  gaps", gaps.linfty_norm() / scale, 1e-9);
+}
+
+
 /** A gap that its own multiplier closes. */
 void
 test_impossible()
@@ -162,9 +248,9 @@ test_impossible()
   LAPACKFullMatrix<double> products(1);
   products(0, 0) = -1;
   const Complementarity problem(products,
-                                single_vectors(1),
-                                single_vectors(1),
-                                {Vector<double>({1.}), Vector<double>({0.})});
+                                {single_vectors(1),
+                                 single_vectors(1),
+                                 {Vector<double>({1.}), Vector<double>({0.})}});
   try
     {
       problem.active_set(0);
@@ -186,6 +272,10 @@ main(int argc, char **argv)
       test(n, generator);
     for (const unsigned int n : {1, 5, 20})
       test_shared(n, generator);
+    for (const unsigned int n : {1, 5, 20})
+      test_followers(n, generator);
+    for (const unsigned int n : {2, 5, 20})
+      test_foundation(n, generator);
     test_impossible();
   });
 }

@@ -117,15 +117,14 @@ test(const std::string &element_type, const Between between)
     body.release_row(row);
 
   BladeProfile profile;
+  if (between == Between::thickness)
+    profile.keeps_apart = strain;
   if (between == Between::flanks)
     profile.facets = {{-10., strain / 2, 0.}};
-  CutContact<dim> contact(body, profile);
-  const auto path = contact.path(n_rows, 0, BladeMotion(), nullptr);
-  const State<dim> state =
-    solve_state(body,
-                contact.load(*path, n_rows, 0),
-                1,
-                body.model().discretization.zero_vector());
+  const LA::Vector at_rest = body.model().discretization.zero_vector();
+  CutContact<dim> contact(body, profile, at_rest);
+  const auto path        = contact.path(n_rows, 0, BladeMotion(), nullptr);
+  const State<dim> state = contact.state(*path, n_rows, 0, at_rest);
 
   // Strained along y, and widened freely across it.
   const double plane = dim == 2 ? 1 / (1 - poissons_ratio) : 1.;

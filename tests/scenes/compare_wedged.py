@@ -32,21 +32,23 @@ class Runs:
         self.directory = directory
 
     def __call__(self, rows, *settings):
-        """The table of a run, and the displacements of all of its states."""
+        """The table of a run, and the displacements of all of its states in which a row
+        is judged."""
         program.run(self.options, self.options.scene, self.directory,
                     ("Output/Node tables=true", *program.QUIET,
                      f"Division/Split rows={rows}", *settings))
-        lines = tables.read(self.directory / "statistics.csv")
-        nodes = [tables.read(path)
-                 for path in sorted(self.directory.glob("nodes_*.csv"))]
+        lines = [line for line in tables.read(self.directory / "statistics.csv")
+                 if line["event"] == "deform"]
+        nodes = [tables.read(self.directory / f"nodes_{int(line['frame']):04}.csv")
+                 for line in lines]
         return lines, [[float(node[u]) for state in nodes for node in state]
                        for u in ("ux", "uy")]
 
     def deform(self, rows, *settings):
-        """The states in which a row is judged."""
+        """The numbers of these states."""
         return [{column: float(value or "nan") for column, value in line.items()
                  if column not in ("event", "row_pieces")}
-                for line in self(rows, *settings)[0] if line["event"] == "deform"]
+                for line in self(rows, *settings)[0]]
 
 
 def difference(one, other):

@@ -15,13 +15,15 @@ struct BladeContacts
   std::vector<bool> active;
   /** The shift of a blade that nothing pushes aside. */
   double resting_shift = 0;
+  /** How the corners on a board hold: see BoardGrip. */
+  std::vector<double> board;
 
   /** For boost::serialization. */
   template <typename Archive>
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &facets &active &resting_shift;
+    archive &facets &active &resting_shift &board;
   }
 };
 

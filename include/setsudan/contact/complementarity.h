@@ -53,6 +53,40 @@ struct SharedUnknown
 };
 
 /**
+ * Springs that the products know but the problem does not have: each along what
+ * a condition measures, with a force of stiffness times that, whether or not
+ * the condition is active. They hold a body that is held by its contacts alone,
+ * so that there are products at all, and are taken out of every solution.
+ */
+struct Foundation
+{
+  /** Of each condition; 0 where it has none. */
+  dealii::Vector<double> stiffness;
+  /** What each condition measures where its gap is 0. */
+  dealii::Vector<double> closed;
+};
+
+/** The conditions of a linear complementarity problem. */
+struct ContactConditions
+{
+  /** What the gap of each measures, and what its multiplier exerts. */
+  std::vector<VectorSum> measured;
+  std::vector<VectorSum> exerted;
+  LinearInParameter required;
+  std::optional<SharedUnknown> shared = {};
+  /** Those that may follow from others; each has a little compliance of its
+   * own, which tells their multipliers apart. */
+  std::vector<unsigned int> redundant = {};
+  /** The leader of each: its own number, or that of another condition. A
+   * follower is an equation, gap = 0 with a multiplier of any sign, as of a
+   * wall that sticks. It is there where an active set has it, and ends with its
+   * leader; it does not begin again with it, since what comes to touch has no
+   * friction before it slips. Empty: none follows. */
+  std::vector<unsigned int> leader     = {};
+  std::optional<Foundation> foundation = {};
+};
+
+/**
  * A linear complementarity problem with a parameter p: multipliers and gaps
  * with
  *   gap = W multiplier - required(p) >= 0,  multiplier >= 0,
@@ -72,7 +106,10 @@ public:
     ActiveSet active;
     LinearInParameter multipliers;
     LinearInParameter gaps;
-    /** Along the vectors, as far as the multipliers cause them. */
+    /** The forces of the foundation's springs, each along what its condition
+     * measures; empty where there are none. */
+    LinearInParameter springs;
+    /** Along the vectors, as far as multipliers and springs cause them. */
     LinearInParameter displacements;
     /** The shared unknown, which is 0 where there is none. */
     std::array<double, 2> shared;
@@ -82,7 +119,7 @@ public:
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &active &multipliers &gaps &displacements &shared;
+      archive &active &multipliers &gaps &springs &displacements &shared;
     }
   };
 
@@ -101,20 +138,12 @@ public:
     }
   };
 
-  /** @param products G, which must live as long.
-   * @param shared if there is one.
-   * @param redundant the conditions that may follow from others; each has a
-   *   little compliance of its own, which tells their multipliers apart. */
+  /** @param products G, which must live as long. */
   Complementarity(const dealii::LAPACKFullMatrix<double> &products,
-                  std::vector<VectorSum> measured,
-                  std::vector<VectorSum> exerted,
-                  LinearInParameter required,
-                  std::optional<SharedUnknown> shared = {},
-                  std::vector<unsigned int> redundant = {});
+                  ContactConditions conditions);
 
   unsigned int
   size() const;
-
 
   /**
    * The active set of the solution at p, by the primal-dual active set method;
@@ -123,46 +152,70 @@ public:
    * P-matrix.
    *
    * @param guess empty, or the active set of a solution near it.
-   * @throw SolverError where there is no solution, as it may be with friction.
+   * @throw SolverError where there is no solution, as it may be with friction,
+   *   or where nothing holds the body.
    */
   ActiveSet
   active_set(const double p, ActiveSet guess = {}) const;
+
+  /** Let a condition become active, or no longer, and then end what follows
+   * it. */
+  void
+  flip(ActiveSet &active, const unsigned int condition) const;
 
   /** The piece of an active set, whether or not it holds anywhere. */
   Piece
   piece(const ActiveSet &active) const;
 
   /** The end of a piece that holds at p, beyond p; nothing where it holds for
-   * all that follow. */
+   * all that follow. Followers end none. */
   std::optional<Breakpoint>
   end_of(const Piece &piece, const double p) const;
 
 private:
+  /** The right-hand side of a problem. */
+  struct Side
+  {
+    dealii::Vector<double> required;
+    /** See Foundation; empty where there is none. */
+    dealii::Vector<double> closed;
+  };
   struct Solved
   {
     dealii::Vector<double> multipliers;
+    dealii::Vector<double> springs;
     double shared = 0;
   };
 
-  /** Solve for the multipliers of the active conditions; the others are 0.
-   *
-   * @param required one or more right-hand sides. */
-  std::vector<Solved>
-  solve(const ActiveSet &active,
-        const std::vector<dealii::Vector<double>> &required) const;
+  Side
+  side(const double p) const;
 
-  /** What is wrong with an active set at p: none of it, if it is that of the
+  bool
+  is_follower(const unsigned int i) const;
+
+  double
+  spring(const unsigned int i) const;
+
+  /** The gap of a condition per unit of a vector's force. */
+  double
+  compliance(const unsigned int i, const VectorSum &force) const;
+
+  /** Solve for the multipliers of the active conditions and the springs of the
+   * others. */
+  std::vector<Solved>
+  solve(const ActiveSet &active, const std::vector<Side> &sides) const;
+
+  /** What is wrong with an active set: none of it, if it is that of the
    * solution. */
   std::vector<unsigned int>
-  violations(const ActiveSet &active,
-             const dealii::Vector<double> &required) const;
+  violations(const ActiveSet &active, const Side &side) const;
 
   ActiveSet
-  pivot(ActiveSet active, const dealii::Vector<double> &required) const;
+  pivot(ActiveSet active, const Side &side) const;
 
-  /** G F^T times multipliers, of which few are not 0. */
+  /** G times the forces of a solution, of which few are not 0. */
   dealii::Vector<double>
-  displacements(const dealii::Vector<double> &multipliers) const;
+  displacements(const Solved &solved) const;
 
   /** The gaps that displacements leave. */
   dealii::Vector<double>
@@ -171,10 +224,7 @@ private:
        const dealii::Vector<double> &required) const;
 
   const dealii::LAPACKFullMatrix<double> &products;
-  const std::vector<VectorSum> measured;
-  const std::vector<VectorSum> exerted;
-  const LinearInParameter required;
-  const std::optional<SharedUnknown> shared;
+  const ContactConditions conditions;
   std::vector<double> own_compliance;
 };
 } // namespace Setsudan

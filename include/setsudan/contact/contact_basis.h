@@ -3,6 +3,7 @@
 
 #include <setsudan/blade/blade_edge.h>
 #include <setsudan/blade/sliding_blade.h>
+#include <setsudan/contact/board.h>
 #include <setsudan/cut/seam/seam.h>
 #include <setsudan/cut/surface/cut_surface.h>
 #include <setsudan/solver/condensed/unknown_forces.h>
@@ -28,9 +29,6 @@ struct TouchingBlade
   bool has_flanks = false;
   /** Whether the front rests on its edge. */
   bool has_edge = true;
-  /** How far it keeps walls apart that meet each other, where they are split.
-   */
-  double thickness = 0;
 };
 
 /**
@@ -38,14 +36,8 @@ struct TouchingBlade
  * combination of unknowns: as a row it gives a mean displacement, as a force it
  * is what a contact pressure exerts.
  *
- * Pressure is interpolated by the hats psi of the corners of element faces,
- * which are linear along each line, and gaps are weighted with them. With the
- * faces' own shape functions N, node k has the weight
- *   M_k = integral of psi N_k,
- * so that a uniform pressure exerts just the forces that are in equilibrium
- * with a uniform stress, also on faces of serendipity elements, whose corners
- * take negative forces. Pressure is not negative where its values at the
- * corners are not.
+ * Pressure and gaps are those of the hats of the corners of element faces, see
+ * FaceHat.
  */
 template <int dim>
 class ContactBasis
@@ -99,13 +91,17 @@ public:
    *
    * @param surface the faces of the cut.
    * @param earlier the cuts before it, whose walls may meet.
-   */
+   * @param board null if there is none; it must live as long. */
   ContactBasis(const ElasticModel<dim> &model,
                const CutSurface<dim> &surface,
                const Seam<dim> &seam,
                const BladeEdge<dim> &edge,
                const TouchingBlade &blade,
-               const std::vector<CutFaces<dim>> &earlier);
+               const std::vector<CutFaces<dim>> &earlier,
+               const BoardContacts<dim> *board);
+
+  /** Of a body without a cut, on a board. */
+  ContactBasis(const MPI_Comm communicator, const BoardContacts<dim> &board);
 
   MPI_Comm
   communicator() const
@@ -131,13 +127,6 @@ public:
   has_flanks() const
   {
     return blade.has_flanks;
-  }
-
-  /** How far the blade keeps walls apart that meet each other. */
-  double
-  thickness() const
-  {
-    return blade.thickness;
   }
 
   /** The part of a hat's integral that belongs to nodes which can be moved
@@ -186,6 +175,27 @@ public:
     return areas_of_earlier_corners[corner];
   }
 
+  /** The board, or null. */
+  const BoardContacts<dim> *
+  board() const
+  {
+    return the_board;
+  }
+  unsigned int
+  n_board_corners() const
+  {
+    return the_board ? the_board->corners().size() : 0;
+  }
+  /** The vector of a corner on the board along one of the board's directions.
+   */
+  unsigned int
+  vector_of_board_corner(const unsigned int corner,
+                         const unsigned int direction) const
+  {
+    return first_vector_of_earlier_corners() + n_earlier_corners() +
+           dim * corner + direction;
+  }
+
   const std::vector<UnknownForces> &
   vectors() const
   {
@@ -205,8 +215,12 @@ private:
   void
   add_earlier_walls(const ElasticModel<dim> &model, const CutFaces<dim> &cut);
 
+  void
+  add_board(const BoardContacts<dim> &board);
+
   const TouchingBlade blade;
   const MPI_Comm mpi_communicator;
+  const BoardContacts<dim> *const the_board;
 
   std::vector<Hat> all_hats;
   std::vector<EdgeNode> all_edge_nodes;

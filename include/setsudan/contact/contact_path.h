@@ -25,6 +25,22 @@ struct UntouchedBody
   Quadratic energy;
 };
 
+/** How a corner of the body holds to a board while it is pressed on it. */
+template <int dim>
+struct BoardGrip
+{
+  /** Where it sticks: what its vectors along the board measure. */
+  std::array<double, dim - 1> anchor{};
+  /** The direction of the friction on it where it slips; 0 where it sticks. */
+  std::array<double, dim - 1> slip{};
+
+  bool
+  slips() const
+  {
+    return slip != std::array<double, dim - 1>();
+  }
+};
+
 /**
  * The equilibrium of a body with its blade, while the first rows of the cut are
  * split and the blade travels: unilateral contact of the two walls with the
@@ -38,6 +54,8 @@ struct UntouchedBody
  *   edge on a node of the front  d.u - (p - z) >= 0
  *   flank on a hat of a wall     o.u + t d.u - A (h + t (p - z - s)) >= 0
  *   wall on wall                 o.u- + o.u+ >= 0
+ *
+ *   body on the board         n.u + A g >= 0
  *
  * where d.u is the displacement along the blade's direction and o.u that out of
  * the cut, both weighted with the hat, A the hat's integral and z its depth,
@@ -69,6 +87,11 @@ struct UntouchedBody
  * A' being the part of A that belongs to nodes which are split: up to the
  * front, which is tied, the blade's thickness falls to nothing within an
  * element.
+ *
+ * On the board, at the distance g, a corner sticks where it has come to it as
+ * long as the friction there is less than Coulomb's; then it slips, and
+ * friction keeps the direction that it had. It sticks again where it would slip
+ * back.
  */
 template <int dim>
 class ContactPath
@@ -96,9 +119,14 @@ public:
               const double smallest_step);
 
   /** Find the contacts where the blade is, beginning with those of another
-   * stage. */
+   * stage.
+   *
+   * @param measured what the vectors measure where the corners on a board
+   *   stick, if there is no other stage; empty for that of the body at rest. */
   void
-  begin(const BladeMotion &motion, const ContactPath *neighbour);
+  begin(const BladeMotion &motion,
+        const ContactPath *neighbour,
+        const std::vector<double> &measured = {});
 
   /** Up to where the present contacts hold, not less than where they began;
    * infinite where nothing ends them. */
@@ -132,6 +160,10 @@ public:
   Quadratic
   unfelt_force() const;
 
+  /** The force of the board on the body along its normal, over the travel. */
+  Quadratic
+  board_force() const;
+
   /** The force with which walls of this cut press on each other, or on a blade
    * without flanks between them. */
   Quadratic
@@ -164,7 +196,7 @@ public:
   BladeContacts
   contacts() const
   {
-    return {facets, piece.active, resting_shift};
+    return {facets, piece.active, resting_shift, state_of_grips()};
   }
 
   /** The area on which the flanks press. */
@@ -175,20 +207,26 @@ public:
   std::vector<double>
   forces(const double travel) const;
 
-  /** How far conditions are violated: by how much a gap is too small, in the
-   * mean over its hat, and the largest pull in relation to the largest
+  /** How far conditions of walls are violated: by how much a gap is too small,
+   * in the mean over its hat, and the largest pull in relation to the largest
    * pressure.
    *
    * @param measured what the vectors of the basis measure of the body. */
   std::array<double, 2>
   violation(const std::vector<double> &measured, const double travel) const;
 
+  /** The same of the foundation's springs. */
+  std::vector<double>
+  foundation_forces(const double travel) const;
+
 private:
   enum class Kind
   {
     edge,
     flank,
-    walls
+    walls,
+    board,
+    grip
   };
 
   /** A condition of contact: a vector and what it must not fall below, as far
@@ -216,8 +254,12 @@ private:
     std::array<double, 2> dissipation{};
     /** What a shift of the blade adds to the gap. */
     double across = 0;
-    /** By which a gap is its mean. */
-    double area = 1;
+    /** By which a gap between walls is its mean. */
+    double area = 0;
+    /** The number of the direction along a board. */
+    unsigned int direction = 0;
+    /** The stiffness of the foundation's spring. */
+    double spring = 0;
 
     bool
     is_same(const Condition &other) const;
@@ -237,6 +279,64 @@ private:
   earlier_walls_condition(const unsigned int corner) const;
   Condition
   edge_condition(const unsigned int node) const;
+  Condition
+  board_condition(const unsigned int corner) const;
+  Condition
+  grip_condition(const unsigned int corner, const unsigned int direction) const;
+
+  /** Add those of corners on the board. */
+  void
+  add_board_conditions();
+
+  /** The foundation of the conditions; nothing where none has a spring. */
+  std::optional<Foundation>
+  make_foundation() const;
+
+  /** The leaders of the conditions; empty where none follows. */
+  std::vector<unsigned int>
+  make_leaders() const;
+
+  /** What the vectors along the board measure at a corner. */
+  std::array<double, dim - 1>
+  place_on_board(const unsigned int corner, const double travel) const;
+
+  /** Their grips as a list of numbers, to go on from. */
+  std::vector<double>
+  state_of_grips() const;
+
+  /** Take the grips of another path, or let the corners stick where vectors
+   * are measured. */
+  void
+  begin_grips(const std::vector<double> &measured,
+              const std::vector<double> &earlier);
+
+  /** By how much the square of the friction on a sticking corner is more than
+   * Coulomb's, over the travel. */
+  Quadratic
+  excess_friction(const unsigned int board_condition) const;
+
+  /** Let a corner slip as the friction on it is. */
+  void
+  let_slip(const unsigned int board_condition, const double travel);
+
+  /** Let a corner stick where it is. */
+  void
+  let_stick(const unsigned int board_condition, const double travel);
+
+  /** Let corners slip that would take more than Coulomb's friction, and stick
+   * that have come to the board or would slip back; whether any did.
+   *
+   * @param may_stick whether those that would slip back may stick. */
+  bool
+  update_grips(const double travel, const bool may_stick);
+
+  /** The conditions along the board at the corner of one, begin and end. */
+  std::pair<unsigned int, unsigned int>
+  grips_of(const unsigned int board_condition) const;
+
+  /** End the piece where a corner begins to slip. */
+  void
+  end_at_slip(const double travel);
 
   /** Make the conditions for the facets as they are. */
   void
@@ -291,6 +391,27 @@ private:
         const Wall wall,
         const typename ContactBasis<dim>::Component component) const;
 
+  /** What friction on the board takes in friction_work_to(). */
+  void
+  add_board_friction_to(const ContactPath &after, Quadratic &work) const;
+
+  /** Take the energy of the foundation out of that of the body. */
+  void
+  add_foundation_energy(Quadratic &energy) const;
+
+  /** Forces of the conditions, each along its vectors, as forces on those of
+   * the basis. */
+  std::vector<double>
+  forces_on_vectors(const std::function<double(unsigned int)> &force,
+                    const VectorSum Condition::*along) const;
+
+  /** The energy that friction takes for a multiplier of 1 while a corner goes
+   * from one place on the board to another. */
+  double
+  board_dissipation(const Condition &condition,
+                    const std::array<double, dim - 1> &begin,
+                    const std::array<double, dim - 1> &end) const;
+
   /** The energy that friction takes for a multiplier of 1 while the blade
    * travels and a wall moves along and aside. */
   double
@@ -317,11 +438,15 @@ private:
 
   /** The facets of the hats' walls. */
   std::vector<unsigned int> facets;
+  /** Of the corners on a board. */
+  std::vector<BoardGrip<dim>> grips;
   std::vector<Condition> conditions;
   std::unique_ptr<Complementarity> problem;
   Complementarity::Piece piece;
   double end_of_piece = std::numeric_limits<double>::infinity();
   /** The condition that ends the piece, if it is no change of a facet. */
   std::optional<unsigned int> ending_condition;
+  /** The condition of the corner that begins to slip there, if one does. */
+  std::optional<unsigned int> slipping_condition;
 };
 } // namespace Setsudan

@@ -16,9 +16,11 @@ class ContactDrive : public Drive<dim>
 protected:
   explicit ContactDrive(const Scene<dim> &scene);
 
-  /** The contact with the cut that is being made. */
+  /** The contact with the cut that is being made.
+   *
+   * @param from the state before. */
   CutContact<dim> &
-  contact(CutBody<dim> &body);
+  contact(CutBody<dim> &body, const State<dim> &from);
 
   const BladeProfile profile;
   const std::unique_ptr<SplitSearch<dim>> search;

@@ -134,6 +134,13 @@ public:
   std::vector<CutFaces<dim>>
   earlier_cuts() const;
 
+  /** The board on which the body lies; null where there is none. */
+  const BoardContacts<dim> *
+  board() const
+  {
+    return present_board.get();
+  }
+
   /** The seam of the newest cut, and its pairs' states now. */
   const Seam<dim> &
   seam() const override
@@ -223,8 +230,13 @@ public:
   std::shared_ptr<TangentSolver>
   solver_without(const unsigned int row) override;
 
+  /** Whether the newest cut frees no part besides those that float already,
+   * while its first rows are split. */
+  bool
+  holds_all_after(const unsigned int n_split) const;
+
   /** The solver of all states of the newest cut, in the present one, or while
-   * its first rows are split.
+   * its first rows are split; of a body without a cut, on its board.
    *
    * @throw SolverError where these states are not solved together, and
    *   FloatingPieceError where that leaves a part which nothing holds. */
@@ -291,6 +303,7 @@ private:
   const Refinement the_refinement;
   CoarseMesh<dim> present_mesh;
   std::unique_ptr<ElasticModel<dim>> present_model;
+  std::unique_ptr<BoardContacts<dim>> present_board;
   SolverSelection<dim> selection;
   bool has_single_states = false;
 

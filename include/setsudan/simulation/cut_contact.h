@@ -5,21 +5,26 @@
 #include <setsudan/simulation/state.h>
 #include <setsudan/solver/condensed/condensed_solver.h>
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
 {
-/** The contact of a blade with the newest cut, in all stages of that cut, on
- * its Schur complement: of one that travels, or of one that the scene's forces
- * press in, over the load factor. */
+/** The contact of a blade with the newest cut, in all stages of that cut, and
+ * of the body with its board, on their Schur complement: of a blade that
+ * travels, or of one that the scene's forces press in, over the load factor. */
 template <int dim>
 class CutContact
 {
 public:
   /** @param body, profile must live as long.
+   * @param displacement in which the body sticks on its board, without ghosts.
    * @throw SolverError where the cut is not solved on its interface. */
-  CutContact(CutBody<dim> &body, const BladeProfile &profile);
+  CutContact(CutBody<dim> &body,
+             const BladeProfile &profile,
+             const LA::Vector &displacement);
 
   /** Whether this is of what the body is now. */
   bool
@@ -36,23 +41,63 @@ public:
        const BladeMotion &motion,
        const ContactPath<dim> *neighbour);
 
-  /** The blade as it presses at a travel or load factor. */
-  BladeLoad<dim>
-  load(const ContactPath<dim> &path,
-       const unsigned int row,
-       const double travel) const;
+  /** The same behind the last row, when the blade is gone: what is left is the
+   * contact of walls with each other and with the board. */
+  std::unique_ptr<ContactPath<dim>>
+  path_without_blade(const BladeMotion &motion,
+                     const ContactPath<dim> *neighbour);
 
-  /** The body with that blade: solve_state(). */
+  /** Whether the cut can be followed until the blade is gone. */
+  bool
+  has_last_stage() const
+  {
+    return n_free.size() > n_rows(body);
+  }
+
+  /** The state in which the contacts of a path hold at a travel or load factor.
+   *
+   * @param row on which the blade rests.
+   * @param guess a displacement near the solution. */
   State<dim>
-  solve(const ContactPath<dim> &path,
+  state(const ContactPath<dim> &path,
         const unsigned int row,
         const double travel,
         const LA::Vector &guess) const;
 
 private:
-  /** The forces of contact at a travel or load factor. */
-  LA::Vector
-  pressure(const ContactPath<dim> &path, const double travel) const;
+  static unsigned int
+  n_rows(const CutBody<dim> &body);
+  static ContactBasis<dim>
+  make_basis(CutBody<dim> &body, const BladeProfile &profile);
+
+  /** Whether it is of a blade that the scene's forces press in. */
+  bool
+  has_forces() const;
+
+  std::unique_ptr<ContactPath<dim>>
+  path(const BladeProfile &profile,
+       const unsigned int n_split,
+       const unsigned int n_ahead,
+       const BladeMotion &motion,
+       const ContactPath<dim> *neighbour);
+
+  /** The blade, or the board, as it presses at a travel. */
+  BladeLoad<dim>
+  blade_load(const ContactPath<dim> &path,
+             const unsigned int row,
+             const double travel) const;
+  std::optional<BoardLoad<dim>>
+  board_load(const ContactPath<dim> &path, const double travel) const;
+
+  /** The blade under the scene's forces, and its pressure. */
+  BladeLoad<dim>
+  pressing_blade(const ContactPath<dim> &path,
+                 const unsigned int row,
+                 const double load_factor) const;
+
+  /** What the vectors measure in a displacement. */
+  std::vector<double>
+  measure(const LA::Vector &displacement) const;
 
   /** @throw InvariantError where walls are in each other's way, or stick to the
    * blade. */
@@ -63,12 +108,24 @@ private:
   UntouchedBody
   untouched(const unsigned int n_split) const;
 
+  /** Forces on some vectors of the basis, as forces on the unknowns. */
+  std::map<dealii::types::global_dof_index, double>
+  on_unknowns(const std::vector<double> &forces,
+              const unsigned int begin,
+              const unsigned int end) const;
+
+  /** The same as a vector. */
+  LA::Vector
+  nodal_forces(
+    const std::map<dealii::types::global_dof_index, double> &forces) const;
+
   /** Sum the products up to a stage. */
   void
   advance_products(const unsigned int n_free);
 
   CutBody<dim> &body;
   const BladeProfile &profile;
+  const BladeProfile no_profile;
   const ContactBasis<dim> basis;
   const std::shared_ptr<CondensedSolver<dim>> solver;
   /** The free unknowns of each stage. */
@@ -76,9 +133,18 @@ private:
   /** A travel that is small beside a row. */
   const double step;
   typename CondensedSolver<dim>::Compliance compliance;
-  /** Of the vectors of the basis, the forces on the edge at each row, and the
+  /** Of the vectors of the basis, the forces on the edge in each stage, and the
    * body's loads, in the first unknowns. */
   dealii::LAPACKFullMatrix<double> products;
   unsigned int n_summed = 0;
+  /** What the vectors measure in the displacement that it began with; empty
+   * where there is no board. */
+  std::vector<double> measured;
 };
+/** A body without a cut as it lies on its board.
+ *
+ * @param from whose displacement is near it. */
+template <int dim>
+State<dim>
+state_on_board(CutBody<dim> &body, const State<dim> &from);
 } // namespace Setsudan

@@ -4,6 +4,7 @@
 #include <setsudan/blade/blade.h>
 #include <setsudan/body/body_parameters.h>
 #include <setsudan/body/supports.h>
+#include <setsudan/contact/board.h>
 #include <setsudan/cut/seam/rows.h>
 #include <setsudan/cut/surface/cut_parameters.h>
 #include <setsudan/cut/yield/yield_criterion.h>
@@ -69,6 +70,7 @@ struct Scene
   const RateLaw rate;
   const BladeParameters<dim> blade;
   const CutParameters<dim> cut;
+  const BoardParameters<dim> board;
   const YieldParameters yield;
   const std::unique_ptr<const YieldCriterion<dim>> criterion;
   const DivisionParameters division;

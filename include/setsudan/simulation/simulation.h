@@ -63,6 +63,10 @@ private:
   void
   rest();
 
+  /** Lay the body on its board. */
+  void
+  lie();
+
   void
   deform_only();
 

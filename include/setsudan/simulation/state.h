@@ -17,6 +17,8 @@ struct State
   /** The blade, which acts times the load factor. */
   BladeLoad<dim> blade;
   double load_factor = 0;
+  /** What the board does. */
+  std::optional<BoardLoad<dim>> board;
   LA::Vector displacement;
   /** The part of it that the blade's thickness prescribes. */
   LA::Vector opening;
@@ -25,7 +27,8 @@ struct State
   LA::Vector forces;
   /** The internal forces, see Solution. */
   LA::Vector internal;
-  /** Stored energy, and that minus the work of all forces as dead loads. */
+  /** Stored energy, and that minus the work of all forces but the board's as
+   * dead loads. */
   double strain_energy    = 0;
   double potential_energy = 0;
   SolveQuality quality;
@@ -50,7 +53,8 @@ template <int dim>
 State<dim>
 loaded_state(const CutBody<dim> &body,
              const BladeLoad<dim> &blade,
-             const double load_factor);
+             const double load_factor,
+             const std::optional<BoardLoad<dim>> &board = {});
 
 /** What supports and opening prescribe in a state. */
 template <int dim>
@@ -73,13 +77,21 @@ set_solution(const ElasticModel<dim> &model,
  * Solve for the body under its loads and `load_factor` times the blade.
  *
  * @param guess a displacement near the solution.
+ * @param board what the board does, if the body lies on one.
  */
 template <int dim>
 State<dim>
 solve_state(CutBody<dim> &body,
             const BladeLoad<dim> &blade,
             const double load_factor,
-            const LA::Vector &guess);
+            const LA::Vector &guess,
+            const std::optional<BoardLoad<dim>> &board = {});
+
+/** The potential energy of a body under its loads without the forces of
+ * contact. */
+template <int dim>
+double
+energy_under_loads(const State<dim> &state);
 
 /** How much of the forces is not in equilibrium with the internal ones under
  * the body's present constraints, relative to the internal forces. */

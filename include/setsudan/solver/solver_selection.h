@@ -2,6 +2,7 @@
 #pragma once
 
 #include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/solver/condensed/unknown_forces.h>
 #include <setsudan/solver/solver_choice.h>
 #include <setsudan/solver/tangent_solver.h>
 
@@ -23,6 +24,10 @@ struct CutStages
   unsigned int n_rows = 0;
   /** The unknowns between which there are ties. */
   std::function<dealii::IndexSet()> interface_unknowns;
+  /** What carries the body besides its supports: see CondensedSolver. */
+  std::function<std::vector<UnknownForces>()> foundation = [] {
+    return std::vector<UnknownForces>();
+  };
   /** Whether the constraints of all states are known beforehand. */
   bool are_known = false;
   /** The closed constraints without the ties of this cut. */

@@ -57,10 +57,12 @@ template <int dim>
 void
 SeveredParts<dim>::set_mesh(const CoarseMesh<dim> &mesh,
                             const std::vector<unsigned int> &parts,
-                            const Supports<dim> &supports)
+                            const Supports<dim> &supports,
+                            const std::vector<CellFace> &on_board)
 {
   part_of_element = parts;
-  motions         = std::make_unique<PieceMotions<dim>>(mesh, parts, supports);
+  motions =
+    std::make_unique<PieceMotions<dim>>(mesh, parts, supports, on_board);
 }
 
 

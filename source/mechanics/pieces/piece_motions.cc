@@ -15,13 +15,19 @@ using namespace dealii;
 template <int dim>
 PieceMotions<dim>::PieceMotions(const CoarseMesh<dim> &mesh,
                                 const std::vector<unsigned int> &pieces,
-                                const Supports<dim> &supports)
+                                const Supports<dim> &supports,
+                                const std::vector<CellFace> &on_board)
 {
+  std::set<unsigned int> carried;
+  for (const auto &face : on_board)
+    carried.insert(pieces[face.first]);
   std::map<unsigned int, std::vector<unsigned int>> elements_of_piece;
   for (unsigned int element = 0; element < pieces.size(); ++element)
     elements_of_piece[pieces[element]].push_back(element);
   for (const auto &[number, elements] : elements_of_piece)
     {
+      if (carried.count(number) > 0)
+        continue;
       std::set<unsigned int> vertices;
       for (const unsigned int element : elements)
         vertices.insert(mesh.cells[element].vertices.begin(),

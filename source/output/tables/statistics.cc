@@ -44,8 +44,7 @@ Statistics::add(const Event &event, const OutputDirectory &directory)
 {
   // They do not change within a run, whose rows may take a millisecond each.
   if (columns.empty())
-    columns =
-      statistics_columns(event.errors.has_value(), event.motion.has_value());
+    columns = statistics_columns(event);
   if (table.empty())
     table = header();
   std::string line;

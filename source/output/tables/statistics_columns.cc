@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <set>
 #include <sstream>
 
 namespace Setsudan
@@ -223,9 +224,6 @@ add_opening(std::vector<StatisticsColumn> &columns)
            &Event::opening_pull));
 }
 
-/** How many columns that is. */
-constexpr unsigned int n_of_opening = 2;
-
 /** The state of the whole body. */
 std::vector<StatisticsColumn>
 columns_of_body()
@@ -278,8 +276,9 @@ columns_of_body()
 
 
 std::vector<StatisticsColumn>
-statistics_columns(const bool has_errors, const bool travels)
+statistics_columns(const Event &event)
 {
+  const bool travels = event.motion.has_value();
   auto columns       = columns_of_cut();
   const auto of_body = columns_of_body();
   columns.insert(columns.end(), of_body.begin(), of_body.end());
@@ -292,6 +291,14 @@ statistics_columns(const bool has_errors, const bool travels)
              "body,",
              &Event::clamp_force,
              columns);
+  if (event.board_force)
+    columns.push_back({"board_force",
+                       "F",
+                       "The force of the board on the body along the board's "
+                       "normal; with Board/Plane.",
+                       [](const Event &event) {
+                         return digits_of(*event.board_force, all_digits);
+                       }});
   columns.push_back(column("overlap",
                            "L",
                            "How far the walls of cuts have moved through each "
@@ -310,7 +317,7 @@ statistics_columns(const bool has_errors, const bool travels)
       add_motion(columns);
       add_energies(columns);
     }
-  if (has_errors)
+  if (event.errors)
     {
       columns.push_back(
         {"energy_error",
@@ -337,10 +344,14 @@ document_columns(std::ostream &out)
     out << "| `" << column.name << "` | " << column.unit << " | "
         << column.meaning << " |\n";
   };
-  for (const auto &column : statistics_columns(false, false))
-    write(column);
-  const auto n_always = statistics_columns(false, false).size() - n_of_opening;
-  const auto all      = statistics_columns(true, true);
-  std::for_each(all.begin() + n_always, all.end(), write);
+  Event all;
+  all.errors      = std::array<double, 2>();
+  all.motion      = BladeMotion();
+  all.board_force = 0;
+  std::set<std::string> written;
+  for (const Event &event : {Event(), all})
+    for (const auto &column : statistics_columns(event))
+      if (written.insert(column.name).second)
+        write(column);
 }
 } // namespace Setsudan

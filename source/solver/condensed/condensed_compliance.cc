@@ -55,17 +55,11 @@ CondensedSolver<dim>::compliance(const std::vector<UnknownForces> &on_interface,
       std::vector<UnknownForces> numbered;
       for (const auto &forces : on_interface)
         {
-          numbered.emplace_back();
           result.work_in_lift.push_back(0);
-          for (const auto &[unknown, force] : forces)
-            {
-              const auto place =
-                std::lower_bound(cut.begin(), cut.end(), unknown);
-              if (place != cut.end() && *place == unknown)
-                numbered.back().emplace_back(place - cut.begin(), force);
-              else
-                result.work_in_lift.back() += force * whole_lift(unknown);
-            }
+          numbered.push_back(placed_on_cut(
+            forces, [&](const unsigned int unknown, const double force) {
+              result.work_in_lift.back() += force * whole_lift(unknown);
+            }));
         }
       const auto forces = condensation->forward_eliminate(whole_loads).on_cut;
       numbered.emplace_back();

@@ -40,9 +40,11 @@ template <int dim>
 CondensedSolver<dim>::CondensedSolver(
   const ElasticModel<dim> &model,
   std::shared_ptr<const Constraints> base_constraints,
-  const IndexSet &cut_unknowns)
+  const IndexSet &cut_unknowns,
+  std::vector<UnknownForces> vectors_of_foundation)
   : model(model)
   , base(std::move(base_constraints))
+  , foundation(std::move(vectors_of_foundation))
   , communicator(model.discretization.communicator)
   , is_first(Utilities::MPI::this_mpi_process(communicator) == 0)
 {
@@ -76,7 +78,74 @@ CondensedSolver<dim>::condense_onto_cut(const LA::SparseMatrix &matrix)
   if (!is_first)
     return;
   condensation = std::make_unique<StaticCondensation>(matrix, cut);
+  std::vector<std::vector<std::pair<unsigned int, double>>> springs;
+  for (const auto &vector : foundation)
+    {
+      springs.emplace_back();
+      for (const auto &[place, factor] : placed_on_cut(vector, {}))
+        springs.back().emplace_back(place, factor);
+    }
+  condensation->add_foundation(springs);
   interface = std::make_unique<InterfaceSystem>(cut, condensation->stiffness());
+}
+
+
+
+template <int dim>
+UnknownForces
+CondensedSolver<dim>::placed_on_cut(
+  const UnknownForces &vector,
+  const std::function<void(unsigned int, double)> &beside) const
+{
+  UnknownForces placed;
+  for (const auto &[unknown, factor] : vector)
+    {
+      const auto place = std::lower_bound(cut.begin(), cut.end(), unknown);
+      if (place != cut.end() && *place == unknown)
+        placed.emplace_back(place - cut.begin(), factor);
+      else if (beside)
+        beside(unknown, factor);
+    }
+  return placed;
+}
+
+
+
+template <int dim>
+LA::Vector
+CondensedSolver<dim>::foundation_forces(const LA::Vector &displacement) const
+{
+  LA::Vector forces = model.discretization.zero_vector();
+  if (foundation.empty())
+    return forces;
+  const auto &owned = model.discretization.owned;
+  std::vector<double> lengths;
+  for (const auto &vector : foundation)
+    {
+      lengths.push_back(0);
+      for (const auto &[unknown, factor] : vector)
+        if (owned.is_element(unknown))
+          lengths.back() += factor * displacement(unknown);
+    }
+  Utilities::MPI::sum(lengths, communicator, lengths);
+  for (unsigned int i = 0; i < foundation.size(); ++i)
+    for (const auto &[unknown, factor] : foundation[i])
+      if (owned.is_element(unknown))
+        forces(unknown) += factor * lengths[i];
+  forces.compress(VectorOperation::add);
+  return forces;
+}
+
+
+
+template <int dim>
+LA::Vector
+CondensedSolver<dim>::resisting_forces(const LA::Vector &displacement) const
+{
+  LA::Vector forces = internal_forces(model, displacement);
+  if (!foundation.empty())
+    forces += foundation_forces(displacement);
+  return forces;
 }
 
 
@@ -237,7 +306,7 @@ CondensedSolver<dim>::residual_of_lift(const LA::Vector &forces,
   if (!are_equal(lift_off_cut, remembered_lift))
     {
       remembered_lift = lift_off_cut;
-      forces_of_lift  = internal_forces(model, lift_off_cut);
+      forces_of_lift  = resisting_forces(lift_off_cut);
     }
   LA::Vector residual = forces;
   residual -= forces_of_lift;
@@ -255,7 +324,7 @@ CondensedSolver<dim>::solve(const LA::Vector &forces,
   RefinedSystem system;
   system.residual_of = [&](const LA::Vector &displacement) {
     LA::Vector residual = forces;
-    residual -= internal_forces(model, displacement);
+    residual -= resisting_forces(displacement);
     return residual;
   };
   system.norm = [&](const LA::Vector &residual) {
@@ -282,6 +351,8 @@ CondensedSolver<dim>::solve(const LA::Vector &forces,
     x, std::max(scale * refinement_threshold, round_off), system);
   solution.internal = forces;
   solution.internal -= residual;
+  if (!foundation.empty())
+    solution.internal -= foundation_forces(x);
   solution.quality = check_quality(x, residual, scale, system);
   return solution;
 }

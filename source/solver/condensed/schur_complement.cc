@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+
 #include <setsudan/solver/condensed/schur_complement.h>
 
 #include <Teuchos_BLAS.hpp>
@@ -49,6 +51,24 @@ SchurComplement::SchurComplement(std::vector<Block> &&all_blocks)
         block_of[blocks[b].dofs[i]]       = b;
         place_in_block[blocks[b].dofs[i]] = i;
       }
+}
+
+
+
+void
+SchurComplement::add_square(
+  const std::vector<std::pair<unsigned int, double>> &v)
+{
+  for (const auto &[j, column] : v)
+    {
+      Block &block = blocks[block_of[j]];
+      for (const auto &[i, row] : v)
+        {
+          Assert(block_of[i] == block_of[j], dealii::ExcInternalError());
+          block.values[std::size_t(place_in_block[j]) * block.dofs.size() +
+                       place_in_block[i]] += row * column;
+        }
+    }
 }
 
 

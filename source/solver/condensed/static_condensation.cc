@@ -102,6 +102,16 @@ StaticCondensation::factorize(const LA::SparseMatrix &matrix,
 
 
 
+void
+StaticCondensation::add_foundation(
+  const std::vector<std::vector<std::pair<unsigned int, double>>> &springs)
+{
+  for (const auto &spring : springs)
+    complement->add_square(spring);
+}
+
+
+
 const SchurComplement &
 StaticCondensation::stiffness() const
 {

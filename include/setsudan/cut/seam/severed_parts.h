@@ -22,11 +22,14 @@ public:
   SeveredParts(const std::vector<unsigned int> &parts, const bool drops);
 
   /** Take the mesh behind a surgery, and the parts it will have when the cut
-   * has gone through. */
+   * has gone through.
+   *
+   * @param on_board the faces that a board carries. */
   void
   set_mesh(const CoarseMesh<dim> &mesh,
            const std::vector<unsigned int> &parts,
-           const Supports<dim> &supports);
+           const Supports<dim> &supports,
+           const std::vector<CellFace> &on_board);
 
   const std::vector<unsigned int> &
   parts() const;

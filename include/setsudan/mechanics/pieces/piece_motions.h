@@ -39,10 +39,13 @@ template <int dim>
 class PieceMotions
 {
 public:
-  /** @param pieces the piece of every element (see find_pieces()). */
+  /** @param pieces the piece of every element (see find_pieces()).
+   * @param on_board faces that a board carries: whatever they belong to is
+   *   held. */
   PieceMotions(const CoarseMesh<dim> &mesh,
                const std::vector<unsigned int> &pieces,
-               const Supports<dim> &supports);
+               const Supports<dim> &supports,
+               const std::vector<CellFace> &on_board = {});
 
   /** Whether every piece is held by supports of its own, so that links do not
    * matter. */

@@ -51,6 +51,9 @@ struct Event
   std::optional<BladeMotion> motion;
   /** Its mean force since the last event in which it had moved. */
   double mean_force = 0;
+  /** The force of the board on the body along its normal: in all events of a
+   * run, or in none. */
+  std::optional<double> board_force;
   /** How far the walls of cuts have moved through each other. */
   double overlap = 0;
   /** The force that keeps split rows the blade's thickness apart, and the part
@@ -76,6 +79,11 @@ struct Event
     archive &has_errors &values;
     if (has_errors)
       errors = values;
+    bool has_board = board_force.has_value();
+    double carried = board_force.value_or(0);
+    archive &has_board &carried;
+    if (has_board)
+      board_force = carried;
     bool has_motion    = motion.has_value();
     BladeMotion moving = motion.value_or(BladeMotion());
     archive &has_motion &moving &mean_force;

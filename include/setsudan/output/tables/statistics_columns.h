@@ -21,12 +21,10 @@ struct StatisticsColumn
   std::function<std::string(const Event &)> text;
 };
 
-/** All columns, in their order.
- *
- * @param has_errors whether errors are estimated, which have columns then.
- * @param travels    whether the blade travels, which has columns too. */
+/** All columns of a run with events like this one, in their order: estimated
+ * errors, a blade that travels and a board have columns where they are. */
 std::vector<StatisticsColumn>
-statistics_columns(const bool has_errors, const bool travels);
+statistics_columns(const Event &event);
 
 /** Write what the columns mean as a table in Markdown. */
 void

@@ -6,6 +6,7 @@
 #include <setsudan/solver/condensed/static_condensation.h>
 #include <setsudan/solver/tangent_solver.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -32,10 +33,15 @@ public:
   /**
    * @param base constraints that hold in all stages, closed.
    * @param cut  the interface unknowns, between which there are ties.
+   * @param foundation vectors v of interface unknowns, the same on all
+   *   processes. The stiffness that is solved with is K + sum of v v^T, so that
+   *   a body may be given to it that nothing else holds; the internal forces of
+   *   a solution are those of the body alone.
    */
   CondensedSolver(const ElasticModel<dim> &model,
                   std::shared_ptr<const Constraints> base,
-                  const dealii::IndexSet &cut);
+                  const dealii::IndexSet &cut,
+                  std::vector<UnknownForces> foundation = {});
 
   /** Go to a stage: see InterfaceSystem::set_constraints().
    *
@@ -97,6 +103,20 @@ private:
   void
   condense_onto_cut(const LA::SparseMatrix &matrix);
 
+  /** What the foundation resists a displacement with. */
+  LA::Vector
+  foundation_forces(const LA::Vector &displacement) const;
+
+  /** The same with what the body does. */
+  LA::Vector
+  resisting_forces(const LA::Vector &displacement) const;
+
+  /** A vector, its unknowns by their places in the cut; what is not on it is
+   * handed to a function instead. */
+  UnknownForces
+  placed_on_cut(const UnknownForces &vector,
+                const std::function<void(unsigned int, double)> &beside) const;
+
   /** A vector's entries on the interface. */
   std::vector<double>
   on_cut(const LA::Vector &vector) const;
@@ -146,6 +166,7 @@ private:
 
   const ElasticModel<dim> &model;
   const std::shared_ptr<const Constraints> base;
+  const std::vector<UnknownForces> foundation;
   const MPI_Comm communicator;
   const bool is_first;
   std::shared_ptr<const Constraints> constraints;

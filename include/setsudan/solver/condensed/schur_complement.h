@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace Setsudan
@@ -33,6 +34,12 @@ public:
   /** @param blocks which hold each unknown from 0 on once. */
   explicit SchurComplement(std::vector<Block> &&blocks);
 
+  /** Add v v^T, where v has the same component's unknowns alone.
+   *
+   * @param v unknowns and entries, each unknown once. */
+  void
+  add_square(const std::vector<std::pair<unsigned int, double>> &v);
+
   double
   operator()(const unsigned int i, const unsigned int j) const;
 
@@ -41,7 +48,7 @@ public:
   multiply(const std::vector<double> &x) const;
 
 private:
-  const std::vector<Block> blocks;
+  std::vector<Block> blocks;
   /** Where each unknown is. */
   std::vector<unsigned int> block_of, place_in_block;
 };

@@ -28,6 +28,12 @@ public:
   const SchurComplement &
   stiffness() const;
 
+  /** Add a foundation under the cut, the sum of v v^T: see
+   * SchurComplement::add_square(). */
+  void
+  add_foundation(
+    const std::vector<std::vector<std::pair<unsigned int, double>>> &springs);
+
   /** Loads that have been brought to the cut. */
   struct Eliminated
   {

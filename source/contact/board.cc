@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/contact/board.h>
+#include <setsudan/mesh/face_index.h>
+#include <setsudan/mesh/geometry.h>
+#include <setsudan/parameters/lists.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+/** How far from the board a face may be that comes to lie on it, as a part of
+ * the body's height above it. */
+constexpr double reach = 0.1;
+
+/** What is nearer to the board than this part of the body's extent lies on it.
+ */
+constexpr double touch = 1e-6;
+
+/** The mean of a face's vertices. */
+template <int dim>
+Point<dim>
+face_center(const CoarseMesh<dim> &mesh, const CellFace &face)
+{
+  Point<dim> center;
+  for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+    center += mesh.vertices[mesh.cells[face.first].vertices[GeometryInfo<
+                dim>::face_to_cell_vertices(face.second, v)]] /
+              GeometryInfo<dim>::vertices_per_face;
+  return center;
+}
+} // namespace
+
+
+template <int dim>
+void
+BoardParameters<dim>::declare(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Board",
+                    "Plane",
+                    "",
+                    Patterns::Anything(),
+                    "A rigid plane that the body lies on, without being glued "
+                    "to it: a point and the normal towards the body, as "
+                    "'0,0,0; 0,0,1'. Empty: no board.");
+  Setsudan::declare(handler,
+                    "Board",
+                    "Friction",
+                    "0.5",
+                    Patterns::Double(0),
+                    "Coulomb's coefficient between board and body.");
+}
+
+
+
+template <int dim>
+BoardParameters<dim>::BoardParameters(const Parameters &parameters,
+                                      const Body<dim> &body)
+  : is_given(!parameters.text("Board", "Plane").empty())
+  , friction(parameters.number("Board", "Friction"))
+{
+  parameters.require(is_given || !parameters.is_given("Board", "Friction"),
+                     "Board",
+                     "Plane",
+                     "a point and a normal where Board/Friction is given");
+  if (!is_given)
+    return;
+  read_plane(parameters);
+  double nearest = std::numeric_limits<double>::max();
+  for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
+    for (const auto &node : body.mesh.node_positions(cell))
+      nearest = std::min(nearest, distance(node));
+  const double tolerance = touch * body.mesh.extent();
+  parameters.require(nearest >= -tolerance,
+                     "Board",
+                     "Plane",
+                     "a plane that does not cut through the body, which "
+                     "reaches " +
+                       short_text(-nearest) +
+                       " beyond this one, with a normal towards the body");
+  parameters.require(nearest <= tolerance,
+                     "Board",
+                     "Plane",
+                     "a plane that touches the body, which is " +
+                       short_text(nearest) + " above this one");
+  find_faces(body);
+}
+
+
+
+template <int dim>
+void
+BoardParameters<dim>::read_plane(const Parameters &parameters)
+{
+  const auto parts = split(parameters.text("Board", "Plane"), ';');
+  std::array<std::vector<double>, 2> values;
+  bool is_right = parts.size() == 2;
+  for (unsigned int i = 0; i < 2 && is_right; ++i)
+    is_right = parse_numbers(parts[i], values[i]) && values[i].size() == dim;
+  for (unsigned int c = 0; c < dim && is_right; ++c)
+    {
+      point[c]  = values[0][c];
+      normal[c] = values[1][c];
+    }
+  parameters.require(is_right && normal.norm() > 0,
+                     "Board",
+                     "Plane",
+                     std::string("a point and a normal that is not 0, as ") +
+                       (dim == 3 ? "'0,0,0; 0,0,1'" : "'0,0; 0,1'"));
+  normal /= normal.norm();
+}
+
+
+
+template <int dim>
+void
+BoardParameters<dim>::find_faces(const Body<dim> &body)
+{
+  const auto &mesh = body.mesh;
+  double height    = 0;
+  for (const auto &vertex : mesh.vertices)
+    height = std::max(height, distance(vertex));
+  const FaceIndex<dim> index(mesh);
+  for (const auto &[key, face] : index.faces())
+    {
+      if (index.find(key).size() > 1)
+        continue;
+      const Point<dim> center = face_center(mesh, face);
+      double nearest          = std::numeric_limits<double>::max();
+      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+        nearest = std::min(
+          nearest,
+          distance(mesh.vertices[mesh.cells[face.first].vertices[GeometryInfo<
+            dim>::face_to_cell_vertices(face.second, v)]]));
+      // Faces that look away from the board, or along it, do not meet it.
+      const Tensor<1, dim> inward = mesh.cell_center(face.first) - center;
+      if (nearest <= reach * height && inward * normal > 0.2 * inward.norm())
+        faces.push_back(face);
+    }
+}
+
+
+
+template <int dim>
+BoardContacts<dim>::BoardContacts(const ElasticModel<dim> &model,
+                                  const BoardParameters<dim> &board,
+                                  const double stiffness,
+                                  const double extent)
+  : friction(board.friction)
+{
+  all_directions[0] = board.normal;
+  // An axis that is far from the normal.
+  unsigned int axis = 0;
+  for (unsigned int c = 1; c < dim; ++c)
+    if (std::abs(board.normal[c]) < std::abs(board.normal[axis]))
+      axis = c;
+  Tensor<1, dim> along;
+  along[axis] = 1;
+  along -= (along * board.normal) * board.normal;
+  all_directions[1] = along / along.norm();
+  if constexpr (dim == 3)
+    all_directions[2] = cross_product_3d(board.normal, all_directions[1]);
+  for (const auto &hat : face_hats(model, board.faces))
+    all_corners.push_back(
+      {hat, board.distance(hat.center), stiffness / (extent * hat.area)});
+}
+
+
+
+template <int dim>
+std::vector<UnknownForces>
+BoardContacts<dim>::vectors() const
+{
+  std::vector<UnknownForces> all;
+  for (const auto &corner : all_corners)
+    for (const auto &direction : all_directions)
+      {
+        UnknownForces vector;
+        for (const auto &[node, weight] : corner.hat.nodes)
+          for (unsigned int c = 0; c < dim; ++c)
+            if (direction[c] != 0)
+              vector.emplace_back(node[c], weight * direction[c]);
+        all.push_back(vector);
+      }
+  return all;
+}
+
+
+
+template <int dim>
+std::vector<UnknownForces>
+BoardContacts<dim>::springs() const
+{
+  auto all = vectors();
+  for (unsigned int i = 0; i < all.size(); ++i)
+    for (auto &[unknown, factor] : all[i])
+      factor *= std::sqrt(all_corners[i / dim].stiffness);
+  return all;
+}
+
+
+
+template <int dim>
+IndexSet
+BoardContacts<dim>::unknowns(const types::global_dof_index n_unknowns) const
+{
+  std::set<types::global_dof_index> all;
+  for (const auto &corner : all_corners)
+    for (const auto &[node, weight] : corner.hat.nodes)
+      all.insert(node.begin(), node.end());
+  IndexSet indices(n_unknowns);
+  indices.add_indices(all.begin(), all.end());
+  return indices;
+}
+
+
+
+template struct BoardParameters<2>;
+template struct BoardParameters<3>;
+template class BoardContacts<2>;
+template class BoardContacts<3>;
+} // namespace Setsudan
