@@ -135,7 +135,7 @@ ContactPath<dim>::settle(const double travel)
   for (unsigned int round = 0; round <= most; ++round)
     {
       take_piece(travel,
-                 [&] { return problem->active_set(travel, piece.active); });
+                 [&] { return problem->solution(travel, piece.active); });
       const bool moves =
         update_facets(travel, 1e-2 * smallest_step, round < most_back);
       const bool slips = update_grips(travel, round == 0);
@@ -152,11 +152,12 @@ ContactPath<dim>::settle(const double travel)
 
 template <int dim>
 void
-ContactPath<dim>::take_piece(const double travel,
-                             const std::function<ActiveSet()> &active)
+ContactPath<dim>::take_piece(
+  const double travel,
+  const std::function<Complementarity::Piece()> &solution)
 {
   const auto [found, ends] = of_first_process(basis.communicator(), [&] {
-    const auto of_active = problem->piece(active());
+    const auto of_active = solution();
     std::vector<Complementarity::Breakpoint> end;
     if (const auto breakpoint = problem->end_of(of_active, travel))
       end.push_back(*breakpoint);
@@ -272,7 +273,7 @@ ContactPath<dim>::cross_end()
       let_stick(i, travel);
       remake_conditions();
     }
-  take_piece(travel, [&] { return piece.active; });
+  take_piece(travel, [&] { return problem->piece(piece.active); });
   const double slope =
     piece.active[i] ? piece.multipliers.slope[i] : piece.gaps.slope[i];
   // Where many change at once they are found a little beyond.

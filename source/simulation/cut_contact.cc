@@ -140,7 +140,8 @@ CutContact<dim>::CutContact(CutBody<dim> &body,
     }
   compliance =
     solver->compliance(vectors, body.model().loads, body.model().lift);
-  products.reinit(vectors.size() + 1);
+  of_stage.matrix.reinit(vectors.size() + 1);
+  ahead = of_stage;
   if (body.board())
     measured = measure(displacement);
 }
@@ -176,22 +177,41 @@ CutContact<dim>::is_of(CutBody<dim> &now) const
 
 template <int dim>
 void
-CutContact<dim>::advance_products(const unsigned int n)
+CutContact<dim>::advance(Products &products, const unsigned int n) const
 {
-  if (n == n_summed)
+  if (n == products.n_summed)
     return;
-  if (n < n_summed)
-    {
-      products = 0;
-      n_summed = 0;
-    }
   // Of one process, since round-off decides where contacts change.
   const MPI_Comm communicator = body.communicator();
   if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    compliance.add_products(n_summed, n, products);
+    compliance.add_products(products.n_summed, n, products.matrix);
   Utilities::MPI::broadcast(
-    &products(0, 0), products.n_elements(), 0, communicator);
-  n_summed = n;
+    &products.matrix(0, 0), products.matrix.n_elements(), 0, communicator);
+  products.n_summed = n;
+}
+
+
+
+template <int dim>
+const LAPACKFullMatrix<double> &
+CutContact<dim>::products_of(const unsigned int n)
+{
+  const bool is_ahead = n > last_asked;
+  last_asked          = n;
+  if (is_ahead)
+    {
+      if (ahead.n_summed > n || ahead.n_summed < of_stage.n_summed)
+        ahead = of_stage;
+      advance(ahead, n);
+      return ahead.matrix;
+    }
+  if (n < of_stage.n_summed)
+    {
+      of_stage.matrix   = 0;
+      of_stage.n_summed = 0;
+    }
+  advance(of_stage, n);
+  return of_stage.matrix;
 }
 
 
@@ -226,14 +246,14 @@ CutContact<dim>::path(const BladeProfile &of_blade,
                       const BladeMotion &motion,
                       const ContactPath<dim> *neighbour)
 {
-  advance_products(n_free[n_split]);
-  auto path = std::make_unique<ContactPath<dim>>(basis,
+  const auto &products = products_of(n_free[n_split]);
+  auto path            = std::make_unique<ContactPath<dim>>(basis,
                                                  of_blade,
                                                  body.scene().blade.sliding,
                                                  n_split,
                                                  n_ahead,
                                                  products,
-                                                 untouched(n_split),
+                                                 untouched(products, n_split),
                                                  step);
   path->begin(motion, neighbour, measured);
   return path;
@@ -243,7 +263,8 @@ CutContact<dim>::path(const BladeProfile &of_blade,
 
 template <int dim>
 UntouchedBody
-CutContact<dim>::untouched(const unsigned int n_split) const
+CutContact<dim>::untouched(const LAPACKFullMatrix<double> &products,
+                           const unsigned int n_split) const
 {
   const unsigned int n = basis.vectors().size(), loads = products.n() - 1;
   UntouchedBody result{{Vector<double>(n), Vector<double>(n)}, {}};

@@ -366,9 +366,10 @@ private:
   bool
   update_facets(const double travel, const double tolerance, const bool back);
 
-  /** Take the piece of an active set, which one process finds. */
+  /** Take a piece that holds at a travel, which one process finds. */
   void
-  take_piece(const double travel, const std::function<ActiveSet()> &active);
+  take_piece(const double travel,
+             const std::function<Complementarity::Piece()> &solution);
 
   unsigned int &
   facet(const unsigned int hat, const Wall wall)

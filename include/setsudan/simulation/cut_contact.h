@@ -106,7 +106,8 @@ private:
 
   /** The body in a stage as the products have it. */
   UntouchedBody
-  untouched(const unsigned int n_split) const;
+  untouched(const dealii::LAPACKFullMatrix<double> &products,
+            const unsigned int n_split) const;
 
   /** Forces on some vectors of the basis, as forces on the unknowns. */
   std::map<dealii::types::global_dof_index, double>
@@ -119,9 +120,18 @@ private:
   nodal_forces(
     const std::map<dealii::types::global_dof_index, double> &forces) const;
 
-  /** Sum the products up to a stage. */
+  /** Products of all vectors over the first unknowns. */
+  struct Products
+  {
+    dealii::LAPACKFullMatrix<double> matrix;
+    unsigned int n_summed = 0;
+  };
+
+  /** The products of a stage. */
+  const dealii::LAPACKFullMatrix<double> &
+  products_of(const unsigned int n_free);
   void
-  advance_products(const unsigned int n_free);
+  advance(Products &products, const unsigned int n_free) const;
 
   CutBody<dim> &body;
   const BladeProfile &profile;
@@ -135,8 +145,11 @@ private:
   typename CondensedSolver<dim>::Compliance compliance;
   /** Of the vectors of the basis, the forces on the edge in each stage, and the
    * body's loads, in the first unknowns. */
-  dealii::LAPACKFullMatrix<double> products;
-  unsigned int n_summed = 0;
+  Products of_stage;
+  /** The same in stages ahead of that, which are looked at in ascending order
+   * before the next one is. */
+  Products ahead;
+  unsigned int last_asked = 0;
   /** What the vectors measure in the displacement that it began with; empty
    * where there is no board. */
   std::vector<double> measured;
