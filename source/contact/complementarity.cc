@@ -92,13 +92,31 @@ Complementarity::flip(ActiveSet &active, const unsigned int condition) const
 
 
 double
-Complementarity::compliance(const unsigned int i, const VectorSum &force) const
+Complementarity::measure(const unsigned int i,
+                         const Vector<double> &displacements) const
 {
   double sum = 0;
   for (const auto &[a, factor] : conditions.measured[i])
-    for (const auto &[b, other] : force)
-      sum += factor * other * products(a, b);
+    sum += factor * displacements[a];
   return sum;
+}
+
+
+
+void
+Complementarity::add_displacements(const VectorSum &vectors,
+                                   const double force,
+                                   Vector<double> &displacements) const
+{
+  const auto m         = static_cast<unsigned int>(products.m());
+  double *const result = displacements.begin();
+  for (const auto &[b, factor] : vectors)
+    if (const double f = factor * force; f != 0)
+      {
+        const double *const column = &products(0, b);
+        for (unsigned int a = 0; a < m; ++a)
+          result[a] += f * column[a];
+      }
 }
 
 
@@ -129,12 +147,14 @@ Complementarity::solve(const ActiveSet &active,
     return all;
   const unsigned int n_all = n + shared.has_value();
   LAPACKFullMatrix<double> block(n_all), right(n_all, sides.size());
+  Vector<double> moved(products.m());
   for (unsigned int j = 0; j < n; ++j)
     {
       const unsigned int c = indices[j];
+      moved                = 0;
+      add_displacements(active[c] ? exerted[c] : measured[c], 1, moved);
       for (unsigned int i = 0; i < n; ++i)
-        block(i, j) =
-          compliance(indices[i], active[c] ? exerted[c] : measured[c]);
+        block(i, j) = measure(indices[i], moved);
       if (active[c])
         block(j, j) *= 1 + own_compliance[c];
       else
@@ -153,15 +173,18 @@ Complementarity::solve(const ActiveSet &active,
   for (unsigned int s = 0; s < sides.size(); ++s)
     {
       const auto &[b, closed] = sides[s];
+      Vector<double> by_springs(known_springs.empty() ? 0 : products.m());
       for (const unsigned int k : known_springs)
-        all[s].springs[k] = spring(k) * closed[k];
+        {
+          all[s].springs[k] = spring(k) * closed[k];
+          add_displacements(measured[k], all[s].springs[k], by_springs);
+        }
       for (unsigned int i = 0; i < n; ++i)
         {
           const unsigned int c = indices[i];
           right(i, s)          = active[c] ? b[c] : b[c] - closed[c];
-          for (const unsigned int k : known_springs)
-            if (all[s].springs[k] != 0)
-              right(i, s) -= compliance(c, measured[k]) * all[s].springs[k];
+          if (!known_springs.empty())
+            right(i, s) -= measure(c, by_springs);
         }
     }
   block.compute_lu_factorization();
@@ -183,17 +206,10 @@ Vector<double>
 Complementarity::displacements(const Solved &solved) const
 {
   Vector<double> moved(products.m());
-  const auto m     = static_cast<unsigned int>(products.m());
-  const auto exert = [&](const VectorSum &vectors, const double force) {
-    if (force != 0)
-      for (const auto &[b, factor] : vectors)
-        for (unsigned int a = 0; a < m; ++a)
-          moved[a] += factor * force * products(a, b);
-  };
   for (unsigned int j = 0; j < size(); ++j)
-    exert(conditions.exerted[j], solved.multipliers[j]);
+    add_displacements(conditions.exerted[j], solved.multipliers[j], moved);
   for (unsigned int j = 0; j < solved.springs.size(); ++j)
-    exert(conditions.measured[j], solved.springs[j]);
+    add_displacements(conditions.measured[j], solved.springs[j], moved);
   return moved;
 }
 
@@ -207,9 +223,7 @@ Complementarity::gaps(const Vector<double> &moved,
   Vector<double> gap(size());
   for (unsigned int i = 0; i < size(); ++i)
     {
-      for (const auto &[a, factor] : conditions.measured[i])
-        gap[i] += factor * moved[a];
-      gap[i] -= b[i];
+      gap[i] = measure(i, moved) - b[i];
       if (conditions.shared)
         gap[i] += conditions.shared->measured[i] * x;
     }
@@ -219,14 +233,13 @@ Complementarity::gaps(const Vector<double> &moved,
 
 
 std::vector<unsigned int>
-Complementarity::violations(const ActiveSet &active, const Side &side) const
+Complementarity::violations(const ActiveSet &active,
+                            const Vector<double> &lambda,
+                            const Vector<double> &gap,
+                            const Vector<double> &required) const
 {
-  const auto solved  = solve(active, {side})[0];
-  const auto &lambda = solved.multipliers;
-  const Vector<double> gap =
-    gaps(displacements(solved), solved.shared, side.required);
   const double allowed_pull = round_off * lambda.linfty_norm();
-  const double allowed_gap  = round_off * side.required.linfty_norm();
+  const double allowed_gap  = round_off * required.linfty_norm();
   std::vector<unsigned int> violated;
   for (unsigned int i = 0; i < size(); ++i)
     if (!is_follower(i) &&
@@ -237,15 +250,15 @@ Complementarity::violations(const ActiveSet &active, const Side &side) const
 
 
 
-ActiveSet
-Complementarity::pivot(ActiveSet active, const Side &side) const
+Complementarity::Piece
+Complementarity::pivot(ActiveSet active, const double p) const
 {
   const unsigned int most = 100 + 20 * size();
   for (unsigned int step = 0; step < most; ++step)
     {
-      const auto violated = violations(active, side);
+      auto [piece, violated] = try_at(active, p);
       if (violated.empty())
-        return active;
+        return piece;
       flip(active, violated.back());
     }
   throw SolverError(
@@ -257,9 +270,16 @@ Complementarity::pivot(ActiveSet active, const Side &side) const
 
 
 ActiveSet
-Complementarity::active_set(const double p, ActiveSet active) const
+Complementarity::active_set(const double p, ActiveSet guess) const
 {
-  const Side at_p = side(p);
+  return solution(p, std::move(guess)).active;
+}
+
+
+
+Complementarity::Piece
+Complementarity::solution(const double p, ActiveSet active) const
+{
   active.resize(size(), false);
   for (unsigned int i = 0; i < size(); ++i)
     if (is_follower(i))
@@ -267,13 +287,13 @@ Complementarity::active_set(const double p, ActiveSet active) const
   std::set<ActiveSet> known;
   while (known.insert(active).second)
     {
-      const auto violated = violations(active, at_p);
+      auto [piece, violated] = try_at(active, p);
       if (violated.empty())
-        return active;
+        return piece;
       for (const unsigned int i : violated)
         flip(active, i);
     }
-  return pivot(std::move(active), at_p);
+  return pivot(std::move(active), p);
 }
 
 
@@ -281,23 +301,40 @@ Complementarity::active_set(const double p, ActiveSet active) const
 Complementarity::Piece
 Complementarity::piece(const ActiveSet &active) const
 {
+  return try_at(active, 0).piece;
+}
+
+
+
+Complementarity::Tried
+Complementarity::try_at(const ActiveSet &active, const double p) const
+{
   const LinearInParameter &required = conditions.required;
-  const Side constant               = side(0);
-  const Side slope{required.slope, Vector<double>(constant.closed.size())};
-  const auto solved = solve(active, {constant, slope});
-  Piece piece;
-  piece.active        = active;
-  piece.multipliers   = {solved[0].multipliers, solved[1].multipliers};
-  piece.springs       = {solved[0].springs, solved[1].springs};
-  piece.displacements = {displacements(solved[0]), displacements(solved[1])};
-  piece.shared        = {{solved[0].shared, solved[1].shared}};
-  piece.gaps          = {
-             gaps(piece.displacements.constant, solved[0].shared, required.constant),
-             gaps(piece.displacements.slope, solved[1].shared, required.slope)};
+  const Side at_p                   = side(p);
+  const Side slope{required.slope, Vector<double>(at_p.closed.size())};
+  auto solved = solve(active, {at_p, slope});
+  std::array<Vector<double>, 2> moved{
+    {displacements(solved[0]), displacements(solved[1])}};
+  std::array<Vector<double>, 2> gap{
+    {gaps(moved[0], solved[0].shared, at_p.required),
+     gaps(moved[1], solved[1].shared, required.slope)}};
   for (unsigned int i = 0; i < size(); ++i)
     if (active[i])
-      piece.gaps.constant[i] = piece.gaps.slope[i] = 0;
-  return piece;
+      gap[0][i] = gap[1][i] = 0;
+  const auto linear = [p](Vector<double> &value, Vector<double> &slope) {
+    value.add(-p, slope);
+    return LinearInParameter{std::move(value), std::move(slope)};
+  };
+  auto violated =
+    violations(active, solved[0].multipliers, gap[0], at_p.required);
+  Piece piece;
+  piece.active = active;
+  piece.shared = {{solved[0].shared - p * solved[1].shared, solved[1].shared}};
+  piece.multipliers   = linear(solved[0].multipliers, solved[1].multipliers);
+  piece.springs       = linear(solved[0].springs, solved[1].springs);
+  piece.displacements = linear(moved[0], moved[1]);
+  piece.gaps          = linear(gap[0], gap[1]);
+  return {std::move(piece), std::move(violated)};
 }
 
 

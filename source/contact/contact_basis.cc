@@ -49,6 +49,20 @@ rows_of_pairs(const Seam<dim> &seam)
       rows[pair] = row;
   return rows;
 }
+
+
+
+/** Along the edge, where there is one. */
+template <int dim>
+Tensor<1, dim>
+aside_at([[maybe_unused]] const NodePair<dim> &pair,
+         [[maybe_unused]] const BladeEdge<dim> &edge)
+{
+  Tensor<1, dim> aside;
+  if constexpr (dim == 3)
+    aside = cross_product_3d(pair.normal, edge.direction);
+  return aside;
+}
 } // namespace
 
 
@@ -57,10 +71,10 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
                                 const CutSurface<dim> &surface,
                                 const Seam<dim> &seam,
                                 const BladeEdge<dim> &edge,
-                                const SlidingBlade &sliding,
+                                const TouchingBlade &blade,
                                 const std::vector<CutFaces<dim>> &earlier,
                                 const BoardContacts<dim> *board)
-  : sliding(sliding)
+  : blade(blade)
   , mpi_communicator(model.discretization.communicator)
   , the_board(board)
 {
@@ -71,6 +85,11 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
   };
 
   const auto rows = rows_of_pairs(seam);
+  row_of_opening  = rows;
+  for (unsigned int p = 0; p < pairs.size(); ++p)
+    if (!pairs[p].is_double() ||
+        pairs[p].supported[pairs[p].normal_component()])
+      row_of_opening[p] = seam.rows().size();
   for (const auto &[corner, weights] :
        hat_weights(model, {surface, seam.pairs()}))
     if (pairs[corner].is_double())
@@ -86,6 +105,26 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
         hat.depth /= hat.area;
         all_hats.push_back(hat);
       }
+  if (blade.has_flanks)
+    make_flank_vectors(seam, edge);
+  else
+    for (const auto &hat : all_hats)
+      add_gap_vector(pairs, hat.weights);
+  if (blade.has_edge)
+    make_edge_vectors(seam, edge);
+  for (const auto &cut : earlier)
+    add_earlier_walls(model, cut);
+  if (board)
+    add_board(*board);
+}
+
+
+
+template <int dim>
+void
+ContactBasis<dim>::make_edge_vectors(const Seam<dim> &seam,
+                                     const BladeEdge<dim> &edge)
+{
   for (unsigned int row = 0; row < seam.rows().size(); ++row)
     {
       // A front that is closed, or branches, has a node more than once. The
@@ -96,11 +135,34 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
         if (taken.insert(pair).second)
           all_edge_nodes.push_back({pair, row, seam.rows()[row].depth});
     }
-  make_vectors(seam, edge);
-  for (const auto &cut : earlier)
-    add_earlier_walls(model, cut);
-  if (board)
-    add_board(*board);
+  for (const auto &node : all_edge_nodes)
+    {
+      UnknownForces vector;
+      const auto &pair = seam.pairs()[node.pair];
+      const Tensor<1, dim> way =
+        edge.direction + blade.sliding.drag() * aside_at(pair, edge);
+      for (unsigned int c = 0; c < dim; ++c)
+        vector.emplace_back(pair.minus[c], way[c]);
+      all_vectors.push_back(vector);
+    }
+}
+
+
+
+template <int dim>
+void
+ContactBasis<dim>::add_gap_vector(const std::vector<NodePair<dim>> &pairs,
+                                  const NodeWeights &weights)
+{
+  UnknownForces vector;
+  for (const auto &[p, weight] : weights)
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const double apart = weight * pairs[p].normal[c];
+        vector.emplace_back(pairs[p].plus[c], apart);
+        vector.emplace_back(pairs[p].minus[c], -apart);
+      }
+  all_vectors.push_back(vector);
 }
 
 
@@ -132,36 +194,36 @@ ContactBasis<dim>::add_earlier_walls(const ElasticModel<dim> &model,
                                      const CutFaces<dim> &cut)
 {
   for (const auto &[corner, weights] : hat_weights(model, cut))
-    {
-      if (!cut.pairs[corner].is_double())
-        continue;
-      UnknownForces vector;
-      for (const auto &[p, weight] : weights)
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const auto &pair   = cut.pairs[p];
-            const double apart = weight * pair.normal[c];
-            vector.emplace_back(pair.plus[c], apart);
-            vector.emplace_back(pair.minus[c], -apart);
-          }
-      all_vectors.push_back(vector);
-      ++n_corners_of_earlier_cuts;
-    }
+    if (cut.pairs[corner].is_double())
+      {
+        add_gap_vector(cut.pairs, {weights.begin(), weights.end()});
+        areas_of_earlier_corners.push_back(0);
+        for (const auto &[pair, weight] : weights)
+          areas_of_earlier_corners.back() += weight;
+      }
+}
+
+
+
+template <int dim>
+double
+ContactBasis<dim>::split_area(const unsigned int hat,
+                              const unsigned int n_split) const
+{
+  double area = 0;
+  for (const auto &[pair, weight] : all_hats[hat].weights)
+    if (row_of_opening[pair] < n_split)
+      area += weight;
+  return area;
 }
 
 
 
 template <int dim>
 void
-ContactBasis<dim>::make_vectors(const Seam<dim> &seam,
-                                const BladeEdge<dim> &edge)
+ContactBasis<dim>::make_flank_vectors(const Seam<dim> &seam,
+                                      const BladeEdge<dim> &edge)
 {
-  const auto aside_at = [&](const NodePair<dim> &pair) {
-    Tensor<1, dim> aside;
-    if constexpr (dim == 3)
-      aside = cross_product_3d(pair.normal, edge.direction);
-    return aside;
-  };
   const auto way_of =
     [&](const NodePair<dim> &pair, const Wall wall, const Component component) {
       switch (component)
@@ -169,13 +231,13 @@ ContactBasis<dim>::make_vectors(const Seam<dim> &seam,
           case Component::along:
             return edge.direction;
           case Component::aside:
-            return aside_at(pair);
+            return aside_at(pair, edge);
           default:
             return wall == Wall::plus ? pair.normal : -pair.normal;
         }
     };
   std::vector<Component> components = {Component::outward, Component::along};
-  if (sliding.rubs_aside())
+  if (blade.sliding.rubs_aside())
     components.push_back(Component::aside);
   for (const auto &hat : all_hats)
     for (const Wall wall : {Wall::minus, Wall::plus})
@@ -193,16 +255,6 @@ ContactBasis<dim>::make_vectors(const Seam<dim> &seam,
             }
           all_vectors.push_back(vector);
         }
-  for (const auto &node : all_edge_nodes)
-    {
-      UnknownForces vector;
-      const auto &pair = seam.pairs()[node.pair];
-      const Tensor<1, dim> way =
-        edge.direction + sliding.drag() * aside_at(pair);
-      for (unsigned int c = 0; c < dim; ++c)
-        vector.emplace_back(pair.minus[c], way[c]);
-      all_vectors.push_back(vector);
-    }
 }
 
 

@@ -164,7 +164,8 @@ ContactPath<dim>::place_on_board(const unsigned int corner,
     {
       const unsigned int place =
         place_of[basis.vector_of_board_corner(corner, c + 1)];
-      measured[c] = displacement_at_rest[place] + moved_by_adhesion[place] +
+      measured[c] = untouched.displacements(place, travel) +
+                    moved_by_adhesion[place] +
                     piece.displacements(place, travel);
     }
   return measured;

@@ -63,6 +63,7 @@ ContactPath<dim>::flank_condition(const unsigned int h, const Wall wall) const
   condition.measured = {{{outward, 1.}, {along, tilt}, {along, 0.}}};
   condition.exerted  = {
      {{outward, 1 - mu * tilt}, {along, tilt + mu}, {aside, rubbed}}};
+  condition.area   = hat.area;
   condition.across = wall == Wall::plus ? -hat.across : hat.across;
   condition.constant =
     hat.area * (half_thickness - slope * (begin + hat.depth));
@@ -108,14 +109,22 @@ template <int dim>
 typename ContactPath<dim>::Condition
 ContactPath<dim>::walls_condition(const unsigned int h) const
 {
-  using Component          = typename ContactBasis<dim>::Component;
-  const unsigned int minus = place_of_hat(h, Wall::minus, Component::outward);
-  const unsigned int plus  = place_of_hat(h, Wall::plus, Component::outward);
+  using Component = typename ContactBasis<dim>::Component;
   Condition condition;
   condition.kind     = Kind::walls;
   condition.place    = h;
-  condition.measured = {{{minus, 1.}, {plus, 1.}, {plus, 0.}}};
-  condition.exerted  = condition.measured;
+  condition.area     = basis.hats()[h].area;
+  condition.force    = basis.split_area(h, row);
+  condition.constant = profile.keeps_apart * condition.force;
+  if (basis.has_flanks())
+    condition.measured = {
+      {{place_of_hat(h, Wall::minus, Component::outward), 1.},
+       {place_of_hat(h, Wall::plus, Component::outward), 1.},
+       {0, 0.}}};
+  else
+    condition.measured = {
+      {{place_of[basis.first_vector_of_hat(h)], 1.}, {0, 0.}, {0, 0.}}};
+  condition.exerted = condition.measured;
   return condition;
 }
 
@@ -130,6 +139,7 @@ ContactPath<dim>::earlier_walls_condition(const unsigned int corner) const
   Condition condition;
   condition.kind     = Kind::walls;
   condition.place    = basis.hats().size() + corner;
+  condition.area     = basis.area_of_earlier_corner(corner);
   condition.measured = {{{place, 1.}, {place, 0.}, {place, 0.}}};
   condition.exerted  = condition.measured;
   return condition;
@@ -176,8 +186,10 @@ ContactPath<dim>::make_conditions()
               conditions.push_back(stick_condition(h, wall));
             may_meet = may_meet && profile.is_tip(facet(h, wall));
           }
-      // Elsewhere the flanks keep the walls apart.
-      if (may_meet)
+      // Elsewhere the flanks keep the walls apart, and nothing moves walls that
+      // are supported.
+      const unsigned int first = place_of[basis.first_vector_of_hat(h)];
+      if (may_meet && (basis.has_flanks() || products(first, first) > 0))
         conditions.push_back(walls_condition(h));
     }
   for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
@@ -222,8 +234,12 @@ ContactPath<dim>::make_problem()
       required.constant[i] = conditions[i].constant;
       required.slope[i]    = conditions[i].per_travel;
       for (const auto &[a, factor] : conditions[i].measured)
-        required.constant[i] -=
-          factor * (displacement_at_rest[a] + moved_by_adhesion[a]);
+        {
+          required.constant[i] -=
+            factor *
+            (untouched.displacements.constant[a] + moved_by_adhesion[a]);
+          required.slope[i] -= factor * untouched.displacements.slope[a];
+        }
       if (conditions[i].kind == Kind::walls)
         redundant.push_back(i);
       if (!blade || !conditions[i].is_of_flank())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/contact/contact_path.h>
 
+#include <algorithm>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -9,9 +11,8 @@ template <int dim>
 Quadratic
 ContactPath<dim>::energy() const
 {
-  Quadratic result;
-  result.c[0]    = energy_at_rest;
-  const auto add = [&](const Condition &condition,
+  Quadratic result = untouched.energy;
+  const auto add   = [&](const Condition &condition,
                        const double constant,
                        const double slope) {
     for (const auto &[a, factor] : condition.exerted)
@@ -126,6 +127,15 @@ Quadratic
 ContactPath<dim>::unfelt_force() const
 {
   return sum_over_flanks(&Condition::unfelt);
+}
+
+
+
+template <int dim>
+Quadratic
+ContactPath<dim>::walls_force() const
+{
+  return sum_over(Kind::walls, &Condition::force);
 }
 
 
@@ -276,25 +286,11 @@ ContactPath<dim>::contact_area() const
 
 
 template <int dim>
-std::vector<unsigned int>
-ContactPath<dim>::vectors_of_places() const
-{
-  std::vector<unsigned int> vector_at(products.n());
-  for (unsigned int v = 0; v < place_of.size(); ++v)
-    if (place_of[v] != numbers::invalid_unsigned_int)
-      vector_at[place_of[v]] = v;
-  return vector_at;
-}
-
-
-
-template <int dim>
 std::vector<double>
 ContactPath<dim>::forces_on_vectors(
   const std::function<double(unsigned int)> &force,
   const VectorSum Condition::*along) const
 {
-  const auto vector_at = vectors_of_places();
   std::vector<double> result(basis.vectors().size(), 0.);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     for (const auto &[place, factor] : conditions[i].*along)
@@ -311,7 +307,6 @@ ContactPath<dim>::forces(const double travel) const
   auto result = forces_on_vectors(
     [&](const unsigned int i) { return piece.multipliers(i, travel); },
     &Condition::exerted);
-  const auto vector_at = vectors_of_places();
   for (const auto &[condition, strength] : adhesions)
     for (const auto &[place, factor] : condition.exerted)
       result[vector_at[place]] += factor * strength;
@@ -333,12 +328,36 @@ ContactPath<dim>::foundation_forces(const double travel) const
 
 
 
+template <int dim>
+std::array<double, 2>
+ContactPath<dim>::violation(const std::vector<double> &measured,
+                            const double travel) const
+{
+  double missing = 0, pull = 0, push = 0;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    {
+      const Condition &condition = conditions[i];
+      if (condition.kind != Kind::walls)
+        continue;
+      double gap = -condition.constant;
+      for (const auto &[place, factor] : condition.measured)
+        gap += factor * measured[vector_at[place]];
+      missing = std::max(missing, -gap / condition.area);
+      pull    = std::max(pull, -piece.multipliers(i, travel));
+      push    = std::max(push, piece.multipliers(i, travel));
+    }
+  return {{missing, pull > 0 ? pull / (pull + push) : 0.}};
+}
+
+
+
 #define INSTANTIATE(dim)                                                      \
   template Quadratic ContactPath<dim>::energy() const;                        \
   template Quadratic ContactPath<dim>::edge_force() const;                    \
   template Quadratic ContactPath<dim>::flank_force() const;                   \
   template Quadratic ContactPath<dim>::friction_force() const;                \
   template Quadratic ContactPath<dim>::unfelt_force() const;                  \
+  template Quadratic ContactPath<dim>::walls_force() const;                   \
   template Quadratic ContactPath<dim>::force_aside() const;                   \
   template double ContactPath<dim>::friction_work(const double, const double) \
     const;                                                                    \
@@ -349,7 +368,9 @@ ContactPath<dim>::foundation_forces(const double travel) const
   template double ContactPath<dim>::contact_area() const;                     \
   template std::vector<double> ContactPath<dim>::forces(const double) const;  \
   template std::vector<double> ContactPath<dim>::foundation_forces(           \
-    const double) const;
+    const double) const;                                                      \
+  template std::array<double, 2> ContactPath<dim>::violation(                 \
+    const std::vector<double> &, const double) const;
 
 INSTANTIATE(2)
 INSTANTIATE(3)

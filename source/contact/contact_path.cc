@@ -21,7 +21,7 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
                               const unsigned int row,
                               const unsigned int n_ahead,
                               const LAPACKFullMatrix<double> &all_products,
-                              const std::vector<double> &work_in_lift,
+                              const UntouchedBody &without_contact,
                               const double smallest_step)
   : basis(basis)
   , profile(profile)
@@ -33,10 +33,9 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   , slips(2 * basis.hats().size())
   , grips(basis.n_board_corners())
 {
-  std::vector<unsigned int> used;
   const auto use = [&](const unsigned int vector) {
-    place_of[vector] = used.size();
-    used.push_back(vector);
+    place_of[vector] = vector_at.size();
+    vector_at.push_back(vector);
   };
   for (unsigned int h = 0; h < basis.hats().size(); ++h)
     if (basis.hats()[h].row < row + n_ahead)
@@ -49,16 +48,17 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
     use(basis.first_vector_of_earlier_corners() + i);
   for (unsigned int i = 0; i < dim * basis.n_board_corners(); ++i)
     use(basis.vector_of_board_corner(0, 0) + i);
-  const unsigned int loads = basis.vectors().size();
-  products.reinit(used.size());
-  for (unsigned int j = 0; j < used.size(); ++j)
+  const unsigned int n = vector_at.size();
+  products.reinit(n);
+  untouched = {{Vector<double>(n), Vector<double>(n)}, without_contact.energy};
+  auto &[constant, slope] = untouched.displacements;
+  for (unsigned int j = 0; j < n; ++j)
     {
-      for (unsigned int i = 0; i < used.size(); ++i)
-        products(i, j) = all_products(used[i], used[j]);
-      displacement_at_rest.push_back(all_products(used[j], loads) +
-                                     work_in_lift[used[j]]);
+      for (unsigned int i = 0; i < n; ++i)
+        products(i, j) = all_products(vector_at[i], vector_at[j]);
+      constant[j] = without_contact.displacements.constant[vector_at[j]];
+      slope[j]    = without_contact.displacements.slope[vector_at[j]];
     }
-  energy_at_rest = -all_products(loads, loads) / 2;
 }
 
 
@@ -72,10 +72,12 @@ ContactPath<dim>::moved(
 {
   const double area        = basis.hats()[h].area;
   const unsigned int place = place_of_hat(h, wall, component);
-  return {{(displacement_at_rest[place] + moved_by_adhesion[place] +
-            piece.displacements.constant[place]) /
+  const auto &free         = untouched.displacements;
+  const auto &by_contact   = piece.displacements;
+  return {{(free.constant[place] + moved_by_adhesion[place] +
+            by_contact.constant[place]) /
              area,
-           piece.displacements.slope[place] / area}};
+           (free.slope[place] + by_contact.slope[place]) / area}};
 }
 
 
@@ -96,7 +98,7 @@ ContactPath<dim>::settle(const double travel)
   for (unsigned int round = 0; round <= most; ++round)
     {
       take_piece(travel,
-                 [&] { return problem->active_set(travel, piece.active); });
+                 [&] { return problem->solution(travel, piece.active); });
       on_facets =
         !update_facets(travel, 1e-2 * smallest_step, round < most_back);
       const bool slip = on_facets && update_slips(travel, round > most_at_once);
@@ -119,11 +121,12 @@ ContactPath<dim>::settle(const double travel)
 
 template <int dim>
 void
-ContactPath<dim>::take_piece(const double travel,
-                             const std::function<ActiveSet()> &active)
+ContactPath<dim>::take_piece(
+  const double travel,
+  const std::function<Complementarity::Piece()> &solution)
 {
   const auto [found, ends] = of_first_process(basis.communicator(), [&] {
-    const auto of_active = problem->piece(active());
+    const auto of_active = solution();
     std::vector<Complementarity::Breakpoint> end;
     if (const auto breakpoint = problem->end_of(of_active, travel, heading))
       end.push_back(*breakpoint);
@@ -240,7 +243,7 @@ ContactPath<dim>::change_condition(const unsigned int i,
       let_stick(i, places_before[conditions[i].place]);
       remake_conditions();
     }
-  take_piece(travel, [&] { return piece.active; });
+  take_piece(travel, [&] { return problem->piece(piece.active); });
   const double slope = heading * (piece.active[i] ? piece.multipliers.slope[i]
                                                   : piece.gaps.slope[i]);
   const bool others_slip = update_slips(travel, false);

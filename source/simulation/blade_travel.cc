@@ -72,25 +72,8 @@ check_energy(const CutBody<dim> &body, const State<dim> &state)
 
 template <int dim>
 BladeTravel<dim>::BladeTravel(const Scene<dim> &scene)
-  : Drive<dim>(scene)
-  , profile(scene.blade.profile)
-  , search(SplitSearch<dim>::make(scene))
+  : ContactDrive<dim>(scene)
 {
-}
-
-
-
-template <int dim>
-CutContact<dim> &
-BladeTravel<dim>::contact(CutBody<dim> &body, const State<dim> &from)
-{
-  if (!cut_contact || !cut_contact->is_of(body))
-    {
-      path.reset();
-      cut_contact =
-        std::make_unique<CutContact<dim>>(body, profile, from.displacement);
-    }
-  return *cut_contact;
 }
 
 
@@ -163,7 +146,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   BladeMotion motion = from.motion.value_or(BladeMotion());
   if (!from.motion)
     motion.energy_at_rest = from.potential_energy;
-  CutContact<dim> &of_cut = contact(body, from);
+  CutContact<dim> &of_cut = this->contact(body, from);
   if (!path)
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
   const double goal = goal_of(motion);
@@ -193,7 +176,7 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
 {
   BladeMotion motion        = *from.motion;
   const unsigned int before = row - motion.n_rows_to_split;
-  CutContact<dim> &of_cut   = contact(body, from);
+  CutContact<dim> &of_cut   = this->contact(body, from);
   if (!path)
     path = of_cut.path(before, row - before, motion, nullptr);
   auto split =
@@ -249,7 +232,7 @@ template <int dim>
 State<dim>
 BladeTravel<dim>::finish(CutBody<dim> &body, const State<dim> &from)
 {
-  CutContact<dim> &of_cut = contact(body, from);
+  CutContact<dim> &of_cut = this->contact(body, from);
   path                    = of_cut.path_without_blade(*from.motion, path.get());
   State<dim> state        = of_cut.state(
     *path, body.seam().rows().size(), from.motion->travel, from.displacement);

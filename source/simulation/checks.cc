@@ -17,12 +17,24 @@ using namespace dealii;
 
 namespace
 {
+/** The magnitudes of a vector's components, of this process. */
+double
+sum_of_magnitudes(const LA::Vector &vector)
+{
+  double sum = 0;
+  for (const double component : vector)
+    sum += std::abs(component);
+  return sum;
+}
+
 /** The magnitudes of the forces on the pairs that the blade keeps open, of this
  * process. */
 template <int dim>
 double
 forces_of_wedge(const CutBody<dim> &body, const State<dim> &state)
 {
+  if (state.blade.presses())
+    return sum_of_magnitudes(state.blade.pressure);
   double sum = 0;
   if (!body.has_cut())
     return sum;
@@ -45,16 +57,6 @@ resistance(const CutBody<dim> &body, const State<dim> &state)
   return internal_forces(body.model(), lift_of(body, state));
 }
 
-/** The magnitudes of a vector's components, of this process. */
-double
-sum_of_magnitudes(const LA::Vector &vector)
-{
-  double sum = 0;
-  for (const double component : vector)
-    sum += std::abs(component);
-  return sum;
-}
-
 /** The balance of a state.
  *
  * @param blade the blade's forces.
@@ -75,7 +77,7 @@ checked_balance(const CutBody<dim> &body,
   const double wedge         = forces_of_wedge(body, state);
   const auto balanced_beside = [&](const double cancelling) {
     return check_balance(
-      body.model(), state.internal, state.forces, blade, cancelling);
+      body.model(), state.internal, all_forces(state), blade, cancelling);
   };
   auto balance = balanced_beside(wedge);
   if (!is_balanced(balance))
@@ -149,7 +151,12 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
       event.reaction[d]    = balance.reaction[d];
       event.clamp_force[d] = balance.clamp_force[d];
     }
-  if (body.has_cut())
+  if (state.blade.presses())
+    {
+      event.opening_force = state.blade.opening_force;
+      event.opening_pull  = 0;
+    }
+  else if (body.has_cut())
     {
       LA::Vector exerted = state.internal;
       exerted -= state.forces;
@@ -185,6 +192,11 @@ check_energy_of_split(const CutBody<dim> &body,
   for (const auto index : body.model().discretization.owned)
     if (after.opening(index) != 0)
       work += wedge(index) * (after.opening(index) - before.opening(index));
+  // By convexity: pressure that has opened further than before it was there.
+  if (after.blade.presses())
+    for (const auto index : body.model().discretization.owned)
+      work += after.blade.pressure(index) *
+              (after.displacement(index) - before.displacement(index));
   work = Utilities::MPI::sum(work, body.communicator());
 
   double scale =

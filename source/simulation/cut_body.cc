@@ -252,7 +252,9 @@ template <int dim>
 PairState
 CutBody<dim>::split_state() const
 {
-  return the_scene.division.opens && !the_scene.blade.travels
+  using SplitRows = DivisionParameters::SplitRows;
+  return the_scene.division.split_rows == SplitRows::opened &&
+             !the_scene.blade.travels
            ? PairState::opened
            : PairState::free;
 }

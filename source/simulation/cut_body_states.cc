@@ -83,7 +83,7 @@ CutBody<dim>::cut_strategy() const
   if (newest_seam && !is_finished)
     size = {static_cast<unsigned int>(newest_seam->rows().size()),
             2 * dim * newest_seam->n_double_pairs(),
-            the_scene.blade.travels};
+            the_scene.has_contact()};
   if (present_board)
     {
       size.has_contact = true;
@@ -119,7 +119,7 @@ CutBody<dim>::stages() const
   // criterion may look at states beside those of the cut.
   stages.are_known =
     newest_seam && severed.all_held() &&
-    (the_scene.blade.travels || !the_scene.yield.compares_energies());
+    (the_scene.has_contact() || !the_scene.yield.compares_energies());
   stages.interface_unknowns = [this] {
     const auto n_unknowns = present_model->discretization.dof_handler.n_dofs();
     IndexSet unknowns = newest_seam ? newest_seam->coupled_indices(n_unknowns)
@@ -127,7 +127,7 @@ CutBody<dim>::stages() const
     if (present_board)
       unknowns.add_indices(present_board->unknowns(n_unknowns));
     // Walls of earlier cuts may meet where a blade presses by contact.
-    if (the_scene.blade.travels)
+    if (the_scene.has_contact())
       for (const auto &pairs : finished_pairs)
         for (const auto &pair : pairs)
           for (const auto *side : {&pair.minus, &pair.plus})
@@ -186,6 +186,29 @@ CutBody<dim>::solver_without(const unsigned int row)
 
 
 template <int dim>
+bool
+CutBody<dim>::holds_all_after(const unsigned int n_split) const
+{
+  const auto states = newest_seam->states_after(n_split, split_state());
+  return severed.n_floating(*newest_seam, states) <= severed.floating().size();
+}
+
+
+
+namespace
+{
+/** What a scene may ask for instead of contact. */
+template <int dim>
+std::string
+way_without_contact(const Scene<dim> &scene)
+{
+  return scene.blade.travels ? "Blade/Drive = force"
+                             : "Division/Split rows = opened or free";
+}
+} // namespace
+
+
+template <int dim>
 std::shared_ptr<CondensedSolver<dim>>
 CutBody<dim>::condensed_solver(const unsigned int n_split)
 {
@@ -195,18 +218,20 @@ CutBody<dim>::condensed_solver(const unsigned int n_split)
     if (!solver)
       throw SolverError(
         "Contact cannot be found on the unknowns of this cut, since they are "
-        "tied to others. Set Blade/Drive = force.");
+        "tied to others. Set " +
+        way_without_contact(the_scene) + ".");
     return solver;
   };
   if (!newest_seam)
     return of_constraints(constraints());
   const auto states = newest_seam->states_after(n_split, split_state());
-  if (severed.n_floating(*newest_seam, states) > severed.floating().size())
+  if (!holds_all_after(n_split))
     throw FloatingPieceError(
       "The cut frees a part that nothing holds when row " +
       std::to_string(n_split) +
       " splits, and the blade would push it away. Hold it in subsection "
-      "Support, or set Blade/Drive = force.");
+      "Support, or set " +
+      way_without_contact(the_scene) + ".");
   return of_constraints(constraints(states));
 }
 
@@ -237,6 +262,7 @@ CutBody<dim>::condensed_solver()
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver();             \
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver_without(       \
     const unsigned int);                                                      \
+  template bool CutBody<dim>::holds_all_after(const unsigned int) const;      \
   template std::shared_ptr<CondensedSolver<dim>>                              \
   CutBody<dim>::condensed_solver();                                           \
   template std::shared_ptr<CondensedSolver<dim>>                              \

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/cut_contact.h>
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace Setsudan
 {
@@ -10,13 +12,6 @@ using namespace dealii;
 
 namespace
 {
-template <int dim>
-unsigned int
-n_rows(const CutBody<dim> &body)
-{
-  return body.has_cut() ? body.seam().rows().size() : 0;
-}
-
 /** The depth of the shallowest row but the first. */
 template <int dim>
 double
@@ -30,12 +25,85 @@ shortest_row(const CutBody<dim> &body)
     shortest = std::min(shortest, rows[row].depth - rows[row - 1].depth);
   return shortest;
 }
+
+
+
+/** A parameter of a path that is small: of the travel, beside a row; of the
+ * load factor, beside the scene's loads. */
+template <int dim>
+double
+small_step(const CutBody<dim> &body)
+{
+  return 1e-9 * (body.scene().blade.travels
+                   ? shortest_row(body)
+                   : std::max(1., body.scene().division.max_load_factor));
+}
+
+
+
+/** How many rows may be split with contact. Under forces the blade is gone
+ * behind the last one, and so may pieces be, unless an energy asks for them. */
+template <int dim>
+unsigned int
+last_stage(const CutBody<dim> &body)
+{
+  if (!body.has_cut())
+    return 0;
+  const unsigned int n_rows = body.seam().rows().size();
+  return body.scene().blade.travels || body.scene().yield.compares_energies() ||
+             body.holds_all_after(n_rows)
+           ? n_rows
+           : n_rows - 1;
+}
+
+
+
+/** The scene's forces on the edge while the first rows are split, the same on
+ * all processes. */
+template <int dim>
+UnknownForces
+forces_on_edge(const CutBody<dim> &body, const unsigned int n_split)
+{
+  unsigned int row          = n_split;
+  const unsigned int n_rows = body.seam().rows().size();
+  while (row < n_rows && body.is_left_out(row))
+    ++row;
+  UnknownForces here, all;
+  if (row == n_rows)
+    return all;
+  const auto blade = body.blade_on_row(row);
+  for (const auto unknown : body.model().discretization.owned)
+    if (blade.nodal_forces(unknown) != 0)
+      here.emplace_back(unknown, blade.nodal_forces(unknown));
+  for (const auto &of_process :
+       Utilities::MPI::all_gather(body.communicator(), here))
+    all.insert(all.end(), of_process.begin(), of_process.end());
+  return all;
+}
 } // namespace
 
 
 template <int dim>
+unsigned int
+CutContact<dim>::n_rows(const CutBody<dim> &body)
+{
+  return body.has_cut() ? body.seam().rows().size() : 0;
+}
+
+
+
+template <int dim>
+bool
+CutContact<dim>::has_forces() const
+{
+  return body.has_cut() && !body.scene().blade.travels;
+}
+
+
+
+template <int dim>
 ContactBasis<dim>
-CutContact<dim>::make_basis(CutBody<dim> &body)
+CutContact<dim>::make_basis(CutBody<dim> &body, const BladeProfile &profile)
 {
   if (!body.has_cut())
     return {body.communicator(), *body.board()};
@@ -43,7 +111,9 @@ CutContact<dim>::make_basis(CutBody<dim> &body)
           body.surface(),
           body.seam(),
           body.cut().edge,
-          body.scene().blade.sliding,
+          {body.scene().blade.sliding,
+           !profile.facets.empty(),
+           body.scene().blade.travels},
           body.earlier_cuts(),
           body.board()};
 }
@@ -56,26 +126,42 @@ CutContact<dim>::CutContact(CutBody<dim> &body,
                             const LA::Vector &displacement)
   : body(body)
   , profile(profile)
-  , basis(make_basis(body))
+  , basis(make_basis(body, profile))
   // With all rows split, which says whether all that is cut is held.
-  , solver(body.condensed_solver(n_rows(body)))
-  , step(1e-9 * shortest_row(body))
+  , solver(body.condensed_solver(last_stage(body)))
+  , step(small_step(body))
 {
-  for (unsigned int n = 0; n <= n_rows(body); ++n)
-    n_free.push_back(body.condensed_solver(n)->n_free());
+  auto vectors = basis.vectors();
+  for (unsigned int n = 0; n <= last_stage(body); ++n)
+    {
+      n_free.push_back(body.condensed_solver(n)->n_free());
+      if (has_forces())
+        vectors.push_back(forces_on_edge(body, n));
+    }
   compliance =
-    solver->compliance(basis.vectors(), body.model().loads, body.model().lift);
-  products.reinit(basis.vectors().size() + 1);
-  if (!body.board())
-    return;
+    solver->compliance(vectors, body.model().loads, body.model().lift);
+  of_stage.matrix.reinit(vectors.size() + 1);
+  ahead = of_stage;
+  if (body.board())
+    measured = measure(displacement);
+}
+
+
+
+template <int dim>
+std::vector<double>
+CutContact<dim>::measure(const LA::Vector &displacement) const
+{
+  std::vector<double> result;
   for (const auto &vector : basis.vectors())
     {
-      measured.push_back(0);
+      result.push_back(0);
       for (const auto &[unknown, factor] : vector)
         if (body.model().discretization.owned.is_element(unknown))
-          measured.back() += factor * displacement(unknown);
+          result.back() += factor * displacement(unknown);
     }
-  Utilities::MPI::sum(measured, body.communicator(), measured);
+  Utilities::MPI::sum(result, body.communicator(), result);
+  return result;
 }
 
 
@@ -91,22 +177,41 @@ CutContact<dim>::is_of(CutBody<dim> &now) const
 
 template <int dim>
 void
-CutContact<dim>::advance_products(const unsigned int n)
+CutContact<dim>::advance(Products &products, const unsigned int n) const
 {
-  if (n == n_summed)
+  if (n == products.n_summed)
     return;
-  if (n < n_summed)
-    {
-      products = 0;
-      n_summed = 0;
-    }
   // Of one process, since round-off decides where contacts change.
   const MPI_Comm communicator = body.communicator();
   if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    compliance.add_products(n_summed, n, products);
+    compliance.add_products(products.n_summed, n, products.matrix);
   Utilities::MPI::broadcast(
-    &products(0, 0), products.n_elements(), 0, communicator);
-  n_summed = n;
+    &products.matrix(0, 0), products.matrix.n_elements(), 0, communicator);
+  products.n_summed = n;
+}
+
+
+
+template <int dim>
+const LAPACKFullMatrix<double> &
+CutContact<dim>::products_of(const unsigned int n)
+{
+  const bool is_ahead = n > last_asked;
+  last_asked          = n;
+  if (is_ahead)
+    {
+      if (ahead.n_summed > n || ahead.n_summed < of_stage.n_summed)
+        ahead = of_stage;
+      advance(ahead, n);
+      return ahead.matrix;
+    }
+  if (n < of_stage.n_summed)
+    {
+      of_stage.matrix   = 0;
+      of_stage.n_summed = 0;
+    }
+  advance(of_stage, n);
+  return of_stage.matrix;
 }
 
 
@@ -141,17 +246,40 @@ CutContact<dim>::path(const BladeProfile &of_blade,
                       const BladeMotion &motion,
                       const ContactPath<dim> *neighbour)
 {
-  advance_products(n_free[n_split]);
-  auto path = std::make_unique<ContactPath<dim>>(basis,
+  const auto &products = products_of(n_free[n_split]);
+  auto path            = std::make_unique<ContactPath<dim>>(basis,
                                                  of_blade,
                                                  body.scene().blade.sliding,
                                                  n_split,
                                                  n_ahead,
                                                  products,
-                                                 compliance.work_in_lift,
+                                                 untouched(products, n_split),
                                                  step);
   path->begin(motion, neighbour, measured);
   return path;
+}
+
+
+
+template <int dim>
+UntouchedBody
+CutContact<dim>::untouched(const LAPACKFullMatrix<double> &products,
+                           const unsigned int n_split) const
+{
+  const unsigned int n = basis.vectors().size(), loads = products.n() - 1;
+  UntouchedBody result{{Vector<double>(n), Vector<double>(n)}, {}};
+  const auto &in_lift = compliance.work_in_lift;
+  result.energy.c[0]  = -products(loads, loads) / 2;
+  for (unsigned int v = 0; v < n; ++v)
+    result.displacements.constant[v] = products(v, loads) + in_lift[v];
+  if (!has_forces())
+    return result;
+  const unsigned int edge = n + n_split;
+  for (unsigned int v = 0; v < n; ++v)
+    result.displacements.slope[v] = products(v, edge);
+  result.energy.c[1] = -products(loads, edge) - in_lift[edge];
+  result.energy.c[2] = -products(edge, edge) / 2;
+  return result;
 }
 
 
@@ -254,8 +382,54 @@ CutContact<dim>::state(const ContactPath<dim> &path,
                        const double travel,
                        const LA::Vector &guess) const
 {
-  return solve_state(
-    body, blade_load(path, row, travel), 1, guess, board_load(path, travel));
+  if (!has_forces())
+    return solve_state(
+      body, blade_load(path, row, travel), 1, guess, board_load(path, travel));
+  const State<dim> state =
+    solve_state(body, pressing_blade(path, row, travel), travel, guess);
+  check(path, state);
+  return state;
+}
+
+
+
+template <int dim>
+BladeLoad<dim>
+CutContact<dim>::pressing_blade(const ContactPath<dim> &path,
+                                const unsigned int row,
+                                const double load_factor) const
+{
+  BladeLoad<dim> blade =
+    row < n_rows(body) ? body.blade_on_row(row) : no_blade(body.model());
+  blade.pressure = nodal_forces(
+    on_unknowns(path.forces(load_factor), 0, basis.vectors().size()));
+  // Behind the last row it is gone.
+  if (blade.row)
+    blade.opening_force = path.walls_force()(load_factor);
+  return blade;
+}
+
+
+
+template <int dim>
+void
+CutContact<dim>::check(const ContactPath<dim> &path,
+                       const State<dim> &state) const
+{
+  const auto [missing, pull] =
+    path.violation(measure(state.displacement), state.load_factor);
+  const double largest = state.displacement.linfty_norm();
+  const double allowed = 1e-10 * std::max(profile.keeps_apart, largest) +
+                         10 * state.quality.estimated_relative_error * largest;
+  if (missing <= allowed && pull <= 1e-10)
+    return;
+  std::ostringstream message;
+  message << "The contact of the walls with the blade does not hold: they come "
+             "nearer to each other than they may, by "
+          << missing << ", which must not exceed " << allowed
+          << ", or are pulled by " << pull
+          << " of the largest pressure. The solution is not to be trusted.";
+  throw InvariantError(message.str());
 }
 
 

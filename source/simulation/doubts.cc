@@ -63,8 +63,7 @@ warn_of_pull(const Event &event, const std::string &force_unit)
           << " split rows would gape by more than Blade/Thickness: keeping "
              "them that far apart pulls with a force of "
           << event.opening_pull << " " << force_unit
-          << ", which no blade does. Set Division/Split rows = free, or "
-             "Blade/Drive = travel.";
+          << ", which no blade does. Set Division/Split rows = wedged.";
   return message.str();
 }
 
@@ -115,7 +114,7 @@ ResultsWriter<dim>::doubt(const Event &event,
   });
   // Less is round-off, or nothing that a picture shows. Contact keeps walls
   // apart in the mean over a hat, and lets single nodes through.
-  const bool has_contact = scene.blade.travels;
+  const bool has_contact = scene.has_contact();
   doubt_for(&Doubts::overlap,
             !has_contact && overlap.depth > 1e-6 * scene.body.mesh.extent(),
             [&] { return warn_of_overlap(event, overlap, scene.length_unit); });

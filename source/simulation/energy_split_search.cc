@@ -14,6 +14,8 @@ unsigned int
 EnergySplitSearch<dim>::n_looked_ahead(CutBody<dim> &body,
                                        const unsigned int row) const
 {
+  if (!this->scene.blade.travels)
+    return 1;
   const unsigned int given = this->scene.division.look_ahead;
   const auto &rows         = body.seam().rows();
   if (given > 0 || row + 1 >= rows.size())
@@ -55,11 +57,13 @@ EnergySplitSearch<dim>::begin(CutBody<dim> &body,
     {
       area += body.area_of_row(row + n - 1).area;
       energy += required(body, row + n - 1);
-      trials.push_back({n,
-                        area,
-                        energy,
-                        body.length_of_rows(row, n),
-                        contact.path(row + n, 0, motion, neighbour)});
+      trials.push_back(
+        {n,
+         area,
+         energy,
+         body.length_of_rows(row, n),
+         this->scene.blade.travels ? 0. : body.advance_of_blade(row).work,
+         contact.path(row + n, 0, motion, neighbour)});
       neighbour = trials.back().path.get();
     }
 }
@@ -98,12 +102,36 @@ EnergySplitSearch<dim>::cross(const BladeMotion &motion,
 
 
 template <int dim>
+Quadratic
+EnergySplitSearch<dim>::released(const Trial &trial) const
+{
+  Quadratic energy = before->energy_set_free(*trial.path);
+  energy.c[1] += trial.work;
+  return energy;
+}
+
+
+
+template <int dim>
+CuttingStress
+EnergySplitSearch<dim>::stress_at(const double travel) const
+{
+  const Trial &trial = trials.front();
+  // Behind the last nodes there may be nothing to open.
+  if (trial.area == 0)
+    return {0, 0};
+  return {released(trial)(travel) / trial.area, trial.required / trial.area};
+}
+
+
+
+template <int dim>
 std::optional<double>
 EnergySplitSearch<dim>::travel_of_split(const Trial &trial,
                                         const BladeMotion &motion,
                                         const double end) const
 {
-  Quadratic gain = before->energy_set_free(*trial.path);
+  Quadratic gain = released(trial);
   if (!this->scene.rate.is_active())
     {
       gain.c[0] -= trial.required;
@@ -151,13 +179,13 @@ EnergySplitSearch<dim>::first_split(const BladeMotion &motion, const double end)
     }
   if (!first)
     return {};
-  const double released = before->energy_set_free(*first->path)(travel);
+  const double set_free = released(*first)(travel);
   const double taken =
     first->required * this->rate_factor(first->length, motion, travel);
   Split split{travel, first->n_rows, {}};
   // Behind the last nodes there may be nothing to open.
   if (first->area > 0)
-    split.stress = {released / first->area, taken / first->area};
+    split.stress = {set_free / first->area, taken / first->area};
   return split;
 }
 

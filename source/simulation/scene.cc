@@ -206,6 +206,25 @@ check_blade_fits(const Parameters &parameters,
 
 
 
+/** Refuse what does not go with contact between a blade and the walls. */
+template <int dim>
+void
+check_contact(const Parameters &parameters, const Scene<dim> &scene)
+{
+  const std::string where = scene.blade.travels
+                              ? " where Blade/Drive is travel"
+                              : " where Division/Split rows is wedged";
+  parameters.require(scene.solver.cut_solve !=
+                       SolverParameters::CutSolve::row_by_row,
+                     "Division",
+                     "Solve",
+                     "auto or condensed" + where);
+  parameters.require(
+    scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
+}
+
+
+
 /** Refuse what a blade that travels cannot do. */
 template <int dim>
 void
@@ -235,11 +254,6 @@ check_travel(const Parameters &parameters, const Scene<dim> &scene)
           "Division",
           "Load control",
           "constant");
-  require(scene.solver.cut_solve != SolverParameters::CutSolve::row_by_row,
-          "Division",
-          "Solve",
-          "auto or condensed");
-  require(scene.accuracy.target == 0, "Accuracy", "Target", "0");
 }
 } // namespace
 
@@ -274,6 +288,8 @@ Scene<dim>::Scene(const Parameters &parameters)
     check_supports(parameters, body, supports);
   if (blade.travels)
     check_travel(parameters, *this);
+  if (has_contact())
+    check_contact(parameters, *this);
   parameters.require(
     !rate.is_active() || blade.path.has_times(),
     "Material",

@@ -53,6 +53,18 @@ lift_of(const CutBody<dim> &body, const State<dim> &state)
 
 
 template <int dim>
+LA::Vector
+all_forces(const State<dim> &state)
+{
+  LA::Vector forces = state.forces;
+  if (state.blade.presses())
+    forces += state.blade.pressure;
+  return forces;
+}
+
+
+
+template <int dim>
 void
 set_solution(const ElasticModel<dim> &model,
              Solution &&solution,
@@ -90,7 +102,7 @@ solve_state(CutBody<dim> &body,
             const std::optional<BoardLoad<dim>> &board)
 {
   State<dim> state  = loaded_state(body, blade, load_factor, board);
-  LA::Vector forces = state.forces;
+  LA::Vector forces = all_forces(state);
   if (board)
     forces += board->foundation_forces;
   const EquilibriumProblem<dim> problem{
@@ -141,6 +153,7 @@ unbalanced_part(const CutBody<dim> &body,
                                    const double,                           \
                                    const std::optional<BoardLoad<dim>> &); \
   template LA::Vector lift_of(const CutBody<dim> &, const State<dim> &);   \
+  template LA::Vector all_forces(const State<dim> &);                      \
   template void set_solution(                                              \
     const ElasticModel<dim> &, Solution &&, State<dim> &);                 \
   template State<dim> solve_state(CutBody<dim> &,                          \

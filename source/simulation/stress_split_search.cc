@@ -107,6 +107,17 @@ StressSplitSearch<dim>::first_split(const BladeMotion &motion, const double end)
 
 
 template <int dim>
+CuttingStress
+StressSplitSearch<dim>::stress_at(const double travel) const
+{
+  SolveQuality quality;
+  return this->scene.criterion->evaluate(
+    *body, row, response_at(travel), nullptr, quality)(0);
+}
+
+
+
+template <int dim>
 double
 StressSplitSearch<dim>::surface_energy(CutBody<dim> &,
                                        const unsigned int,

@@ -110,7 +110,8 @@ struct CutBlock
     body.split_nodes();
     for (unsigned int row = 0; row < n_split; ++row)
       body.release_row(row);
-    contact       = std::make_unique<CutContact<2>>(body, scene.blade.profile);
+    contact = std::make_unique<CutContact<2>>(
+      body, scene.blade.profile, body.model().discretization.zero_vector());
     motion.travel = double(n_split) / n_rows;
     path          = contact->path(n_split, 0, motion, nullptr);
   }

@@ -2,7 +2,8 @@
 // A block that is cut through and pressed together across the cut is under the
 // same uniform stress as if it were not cut: contact passes this patch test on
 // the faces of all elements, in distorted meshes. So it is with a blade of some
-// thickness between the halves of one that is not pressed.
+// thickness between the halves of one that is not pressed, be it one that
+// travels, whose flanks meet a wall each, or one that keeps the walls apart.
 
 #include <setsudan/simulation/cut_contact.h>
 #include <setsudan/simulation/state.h>
@@ -70,10 +71,19 @@ write_block()
 
 
 
+enum class Between
+{
+  nothing,
+  flanks,
+  thickness
+};
+
 template <int dim>
 void
-test(const std::string &element_type, const bool has_blade)
+test(const std::string &element_type, const Between between)
 {
+  const bool has_blade   = between != Between::nothing;
+  const bool travels     = between != Between::thickness;
   const std::string free = dim == 3 ? ", free" : "";
   const Scene<dim> scene(Parameters(
     "test",
@@ -92,7 +102,9 @@ test(const std::string &element_type, const bool has_blade)
       "Displacements",
       "end : free, -" + std::to_string(has_blade ? 0. : strain) + free,
       ""},
-     {"Blade", "Drive", "travel", ""},
+     {"Blade", "Drive", travels ? "travel" : "force", ""},
+     {"Blade", "Thickness", std::to_string(strain), ""},
+     {"Division", "Split rows", travels ? "opened" : "wedged", ""},
      {"Blade", "Direction", dim == 3 ? "0,0,-1" : "1,0", ""},
      {"Cut", "Surfaces", "where : y - 0.5", ""},
      {"Yield", "Criterion", "energy release", ""}},
@@ -105,15 +117,14 @@ test(const std::string &element_type, const bool has_blade)
     body.release_row(row);
 
   BladeProfile profile;
-  if (has_blade)
+  if (between == Between::thickness)
+    profile.keeps_apart = strain;
+  if (between == Between::flanks)
     profile.facets = {{-10., strain / 2, 0.}};
-  CutContact<dim> contact(body, profile);
-  const auto path = contact.path(n_rows, 0, BladeMotion(), nullptr);
-  const State<dim> state =
-    solve_state(body,
-                contact.load(*path, n_rows, 0),
-                1,
-                body.model().discretization.zero_vector());
+  const LA::Vector at_rest = body.model().discretization.zero_vector();
+  CutContact<dim> contact(body, profile, at_rest);
+  const auto path        = contact.path(n_rows, 0, BladeMotion(), nullptr);
+  const State<dim> state = contact.state(*path, n_rows, 0, at_rest);
 
   // Strained along y, and widened freely across it.
   const double plane = dim == 2 ? 1 / (1 - poissons_ratio) : 1.;
@@ -129,7 +140,9 @@ test(const std::string &element_type, const bool has_blade)
                             poissons_ratio * plane * strain * position[c]));
     }
   check_below(std::to_string(dim) + "D, " + element_type +
-                (has_blade ? ", blade between the walls" : ", wall on wall"),
+                (between == Between::flanks ? ", blade between the walls"
+                 : has_blade                ? ", blade that keeps walls apart"
+                                            : ", wall on wall"),
               error / strain,
               1e-10);
 }
@@ -139,13 +152,14 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
-    for (const bool has_blade : {false, true})
+    for (const auto between :
+         {Between::nothing, Between::flanks, Between::thickness})
       for (const std::string type : {"linear", "serendipity", "quadratic"})
         {
           write_block<2>();
-          test<2>(type, has_blade);
+          test<2>(type, between);
           write_block<3>();
-          test<3>(type, has_blade);
+          test<3>(type, between);
         }
   });
 }

@@ -9,7 +9,8 @@ import sys
 
 from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
 from program_cases import wrong_text, wrong_value
-from wrong_values import TRAVEL, WRONG_SLICE, WRONG_TRAVEL, WRONG_VALUES
+from wrong_values import TRAVEL, WEDGED, WRONG_SLICE, WRONG_TRAVEL, WRONG_VALUES
+from wrong_values import WRONG_WEDGED
 
 GOOD_TEXT, LINES = scene_text(SCENE)
 N_LINES = len(GOOD_TEXT.splitlines())
@@ -141,6 +142,8 @@ def travel():
     for base in (SCENE, PLANE_SCENE):
         for path, value, allowed, *also in WRONG_TRAVEL:
             yield wrong_value(path, value, allowed, {**base, **TRAVEL}, *also)
+        for path, value, allowed, *also in WRONG_WEDGED:
+            yield wrong_value(path, value, allowed, {**base, **WEDGED}, *also)
     for path, value, allowed in WRONG_SLICE:
         yield wrong_value(path, value, allowed,
                           {**SCENE, **TRAVEL, "Blade/Slice-push ratio": "1"})

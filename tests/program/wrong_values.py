@@ -235,7 +235,7 @@ WRONG_VALUES = {
         ("Yield/Process zone", "-1", "0 or a length"),
         ("Yield/Process zone", "0", "greater than 0", MEAN_SHEAR),
         ("Yield/Process zone", "-1", "greater than 0", MEAN_SHEAR),
-        ("Division/Split rows", "glued", "opened"),
+        ("Division/Split rows", "glued", "opened, wedged, free"),
         ("Accuracy/Target", "1", "from 0 to less than 1"),
         ("Accuracy/Target", "-0.1", "from 0 to less than 1"),
         ("Accuracy/Quantity", "beauty", "strain energy"),
@@ -272,6 +272,14 @@ TRAVEL = {
     "Blade/Thickness": "1", "Yield/Criterion": "energy release",
     "Material/Toughness": "0.01",
 }
+# A blade that pushes only, under given forces.
+WEDGED = {"Division/Split rows": "wedged"}
+WRONG_WEDGED = [
+    ("Division/Solve", "every row anew", "auto or condensed where Division/Split rows"),
+    ("Accuracy/Target", "0.1", "0 where Division/Split rows is wedged"),
+    ("Blade/Shape", "wedge", "line where Blade/Drive is force"),
+    ("Blade/Thickness", "-1", "not negative"),
+]
 WRONG_TRAVEL = [
     ("Blade/Friction", "-0.1", "not negative"),
     ("Blade/Friction", "nan", PATTERN),

@@ -26,6 +26,9 @@ struct BladeProfile
    * the middle of the blade: beyond that nothing keeps walls apart. */
   std::vector<Facet> facets;
 
+  /** How far it keeps walls apart that meet each other instead of facets. */
+  double keeps_apart = 0;
+
   /** How far the blade reaches behind its edge. */
   double length = std::numeric_limits<double>::infinity();
 

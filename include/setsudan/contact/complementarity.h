@@ -158,6 +158,10 @@ public:
   ActiveSet
   active_set(const double p, ActiveSet guess = {}) const;
 
+  /** The piece that holds at p: that of the active set there. */
+  Piece
+  solution(const double p, ActiveSet guess = {}) const;
+
   /** Let a condition become active, or no longer, and then end what follows
    * it. */
   void
@@ -198,22 +202,43 @@ private:
   double
   spring(const unsigned int i) const;
 
-  /** The gap of a condition per unit of a vector's force. */
+  /** What a condition measures. */
   double
-  compliance(const unsigned int i, const VectorSum &force) const;
+  measure(const unsigned int condition,
+          const dealii::Vector<double> &displacements) const;
+
+  /** Add the displacements under a force along a sum of vectors. */
+  void
+  add_displacements(const VectorSum &vectors,
+                    const double force,
+                    dealii::Vector<double> &displacements) const;
 
   /** Solve for the multipliers of the active conditions and the springs of the
    * others. */
   std::vector<Solved>
   solve(const ActiveSet &active, const std::vector<Side> &sides) const;
 
-  /** What is wrong with an active set: none of it, if it is that of the
-   * solution. */
-  std::vector<unsigned int>
-  violations(const ActiveSet &active, const Side &side) const;
+  /** The piece of an active set, and what is wrong with it at p: nothing, if it
+   * is that of the solution there. */
+  struct Tried
+  {
+    Piece piece;
+    std::vector<unsigned int> violated;
+  };
 
-  ActiveSet
-  pivot(ActiveSet active, const Side &side) const;
+  /** Try an active set. One factorization has the values at p and the slopes.
+   */
+  Tried
+  try_at(const ActiveSet &active, const double p) const;
+
+  std::vector<unsigned int>
+  violations(const ActiveSet &active,
+             const dealii::Vector<double> &multipliers,
+             const dealii::Vector<double> &gaps,
+             const dealii::Vector<double> &required) const;
+
+  Piece
+  pivot(ActiveSet active, const double p) const;
 
   /** G times the forces of a solution, of which few are not 0. */
   dealii::Vector<double>

@@ -21,6 +21,16 @@ struct CutFaces
   const std::vector<NodePair<dim>> &pairs;
 };
 
+/** What of a blade touches the walls and the front of a cut. */
+struct TouchingBlade
+{
+  SlidingBlade sliding;
+  /** Whether each wall meets a flank of its own; else they meet each other. */
+  bool has_flanks = false;
+  /** Whether the front rests on its edge. */
+  bool has_edge = true;
+};
+
 /**
  * The vectors of which the conditions of contact at a cut are made, each a
  * combination of unknowns: as a row it gives a mean displacement, as a force it
@@ -33,6 +43,9 @@ template <int dim>
 class ContactBasis
 {
 public:
+  /** Pairs and their weights. */
+  using NodeWeights = std::vector<std::pair<unsigned int, double>>;
+
   /** A corner of the cut, on which a hat stands. */
   struct Hat
   {
@@ -46,7 +59,7 @@ public:
     /** The integral of its part across the whole cut, for walls in steps. */
     double across;
     /** The pairs on the faces around it, and their weights. */
-    std::vector<std::pair<unsigned int, double>> weights;
+    NodeWeights weights;
   };
 
   /** What a vector of a hat measures on one of the two walls. */
@@ -78,14 +91,12 @@ public:
    *
    * @param surface the faces of the cut.
    * @param earlier the cuts before it, whose walls may meet.
-   * @param sliding whether there is a component aside, and how far the edge
-   *   drags the front.
    * @param board null if there is none; it must live as long. */
   ContactBasis(const ElasticModel<dim> &model,
                const CutSurface<dim> &surface,
                const Seam<dim> &seam,
                const BladeEdge<dim> &edge,
-               const SlidingBlade &sliding,
+               const TouchingBlade &blade,
                const std::vector<CutFaces<dim>> &earlier,
                const BoardContacts<dim> *board);
 
@@ -110,9 +121,24 @@ public:
     return all_edge_nodes;
   }
 
-  /** The number of a hat's vector, and of what the edge measures at a node: its
-   * displacement along the blade's direction and, as far as it is dragged,
-   * aside. */
+  /** Whether a hat has vectors for each wall; else it has one, which measures
+   * how far the walls are apart. */
+  bool
+  has_flanks() const
+  {
+    return blade.has_flanks;
+  }
+
+  /** The part of a hat's integral that belongs to nodes which can be moved
+   * apart while the first rows are split. At the others walls are tied, or
+   * supported: no gap can be required there, and what presses on both sides
+   * cancels. */
+  double
+  split_area(const unsigned int hat, const unsigned int n_split) const;
+
+  /** The number of a hat's vector, if it has flanks, and of what the edge
+   * measures at a node: its displacement along the blade's direction and, as
+   * far as it is dragged, aside. */
   unsigned int
   vector_of_hat(const unsigned int hat,
                 const Wall wall,
@@ -126,7 +152,7 @@ public:
   unsigned int
   n_vectors_of_hat() const
   {
-    return sliding.rubs_aside() ? 6 : 4;
+    return !has_flanks() ? 1 : blade.sliding.rubs_aside() ? 6 : 4;
   }
 
   /** The vectors of the corners of earlier cuts, each of which measures how far
@@ -134,12 +160,19 @@ public:
   unsigned int
   n_earlier_corners() const
   {
-    return n_corners_of_earlier_cuts;
+    return areas_of_earlier_corners.size();
   }
   unsigned int
   first_vector_of_earlier_corners() const
   {
     return vector_of_edge_node(all_edge_nodes.size());
+  }
+
+  /** The integral of its hat. */
+  double
+  area_of_earlier_corner(const unsigned int corner) const
+  {
+    return areas_of_earlier_corners[corner];
   }
 
   /** The board, or null. */
@@ -159,7 +192,7 @@ public:
   vector_of_board_corner(const unsigned int corner,
                          const unsigned int direction) const
   {
-    return first_vector_of_earlier_corners() + n_corners_of_earlier_cuts +
+    return first_vector_of_earlier_corners() + n_earlier_corners() +
            dim * corner + direction;
   }
 
@@ -171,20 +204,30 @@ public:
 
 private:
   void
-  make_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
+  make_flank_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
+  void
+  make_edge_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
+
+  /** A vector that measures how far walls are apart. */
+  void
+  add_gap_vector(const std::vector<NodePair<dim>> &pairs,
+                 const NodeWeights &weights);
   void
   add_earlier_walls(const ElasticModel<dim> &model, const CutFaces<dim> &cut);
 
   void
   add_board(const BoardContacts<dim> &board);
 
-  const SlidingBlade sliding;
+  const TouchingBlade blade;
   const MPI_Comm mpi_communicator;
   const BoardContacts<dim> *const the_board;
 
   std::vector<Hat> all_hats;
   std::vector<EdgeNode> all_edge_nodes;
   std::vector<UnknownForces> all_vectors;
-  unsigned int n_corners_of_earlier_cuts = 0;
+  std::vector<double> areas_of_earlier_corners;
+  /** The row with which a pair opens; beyond the last one where it never does.
+   */
+  std::vector<unsigned int> row_of_opening;
 };
 } // namespace Setsudan

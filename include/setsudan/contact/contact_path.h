@@ -17,6 +17,15 @@
 
 namespace Setsudan
 {
+/** A body under its loads without contact, over the parameter of a path: what
+ * the vectors of a basis measure, and its potential energy, up to what is the
+ * same in all stages of a cut. */
+struct UntouchedBody
+{
+  LinearInParameter displacements;
+  Quadratic energy;
+};
+
 /** How a corner of the body holds to a board while it is pressed on it. */
 template <int dim>
 struct BoardGrip
@@ -82,6 +91,15 @@ struct BoardGrip
  * these changes are breakpoints, too. Adhesion is a traction of its own on hats
  * from when they come to touch until they come apart.
  *
+ * Where forces on the edge press a blade in that has a thickness T and no
+ * flanks, they rise with the parameter p, and the blade keeps the walls apart:
+ *
+ *   walls  o.u- + o.u+ >= A' T,
+ *
+ * A' being the part of A that belongs to nodes which are split: up to the
+ * front, which is tied, the blade's thickness falls to nothing within an
+ * element.
+ *
  * On the board, at the distance g, a corner sticks where it has come to it as
  * long as the friction there is less than Coulomb's; then it slips, and
  * friction keeps the direction that it had. It sticks again where it would slip
@@ -99,10 +117,9 @@ public:
    *   last one.
    * @param n_ahead  the rows behind that one that may split with it.
    * @param products the work of each vector of the basis as a force in the
-   *   displacement under each other one, in this stage; the last one is the
-   *   body's loads.
-   * @param work_in_lift that in the lift.
-   * @param smallest_step a travel that is small beside a row.
+   *   displacement under each other one, in this stage.
+   * @param untouched the body in this stage without contact.
+   * @param smallest_step of the parameter: a travel that is small beside a row.
    */
   ContactPath(const ContactBasis<dim> &basis,
               const BladeProfile &profile,
@@ -110,7 +127,7 @@ public:
               const unsigned int row,
               const unsigned int n_ahead,
               const dealii::LAPACKFullMatrix<double> &products,
-              const std::vector<double> &work_in_lift,
+              const UntouchedBody &untouched,
               const double smallest_step);
 
   /** Find the contacts where the blade is, beginning with those of another
@@ -155,7 +172,7 @@ public:
   cross_end();
 
   /** The potential energy of the body under its loads, up to what is the same
-   * in all stages of a cut, over the travel. */
+   * in all stages of a cut, over the travel or factor. */
   Quadratic
   energy() const;
 
@@ -174,6 +191,11 @@ public:
   /** The force of the board on the body along its normal, over the travel. */
   Quadratic
   board_force() const;
+
+  /** The force with which walls of this cut press on each other, or on a blade
+   * without flanks between them. */
+  Quadratic
+  walls_force() const;
 
   /** The force of the blade on the body along its edge. */
   Quadratic
@@ -219,6 +241,14 @@ public:
   std::vector<double>
   forces(const double travel) const;
 
+  /** How far conditions of walls are violated: by how much a gap is too small,
+   * in the mean over its hat, and the largest pull in relation to the largest
+   * pressure.
+   *
+   * @param measured what the vectors of the basis measure of the body. */
+  std::array<double, 2>
+  violation(const std::vector<double> &measured, const double travel) const;
+
   /** The same of the foundation's springs. */
   std::vector<double>
   foundation_forces(const double travel) const;
@@ -259,6 +289,8 @@ private:
     std::array<double, 2> dissipation{};
     /** What a shift of the blade adds to the gap. */
     double across = 0;
+    /** By which a gap between walls is its mean. */
+    double area = 0;
     /** The number of the direction along a board. */
     unsigned int direction = 0;
     /** The stiffness of the foundation's spring. */
@@ -398,9 +430,10 @@ private:
   bool
   update_facets(const double travel, const double tolerance, const bool back);
 
-  /** Take the piece of an active set, which one process finds. */
+  /** Take a piece that holds at a travel, which one process finds. */
   void
-  take_piece(const double travel, const std::function<ActiveSet()> &active);
+  take_piece(const double travel,
+             const std::function<Complementarity::Piece()> &solution);
 
   /** Ask where the facets of the hats, or the friction of those that stick, end
    * the piece. */
@@ -502,10 +535,6 @@ private:
   void
   add_foundation_energy(Quadratic &energy) const;
 
-  /** The vector of the basis at each place in `products`. */
-  std::vector<unsigned int>
-  vectors_of_places() const;
-
   /** Forces of the conditions, each along its vectors, as forces on those of
    * the basis. */
   std::vector<double>
@@ -534,9 +563,10 @@ private:
   dealii::LAPACKFullMatrix<double> products;
   /** Where the vectors of the basis that the stage uses are in `products`. */
   std::vector<unsigned int> place_of;
-  /** Under the loads alone: the work of the vectors, and the energy. */
-  std::vector<double> displacement_at_rest;
-  double energy_at_rest = 0;
+  /** The vector of the basis at each place. */
+  std::vector<unsigned int> vector_at;
+  /** Without contact, with displacements by place. */
+  UntouchedBody untouched;
   const double smallest_step;
   /** Where a blade that shifts was when this began, and stays while nothing
    * touches it. */

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/simulation/drive.h>
-#include <setsudan/simulation/split_search.h>
+#include <setsudan/simulation/contact_drive.h>
 
-#include <memory>
 #include <optional>
 
 namespace Setsudan
@@ -17,7 +15,7 @@ namespace Setsudan
  * withdrawn, during which no row splits.
  */
 template <int dim>
-class BladeTravel : public Drive<dim>
+class BladeTravel : public ContactDrive<dim>
 {
 public:
   explicit BladeTravel(const Scene<dim> &scene);
@@ -40,9 +38,6 @@ public:
   finish(CutBody<dim> &body, const State<dim> &from) override;
 
 private:
-  CutContact<dim> &
-  contact(CutBody<dim> &body, const State<dim> &from);
-
   /** The next stop on the blade's path, or infinity. */
   double
   goal_of(const BladeMotion &motion) const;
@@ -63,10 +58,8 @@ private:
         const BladeMotion &motion,
         const State<dim> &from);
 
-  const BladeProfile profile;
-  const std::unique_ptr<SplitSearch<dim>> search;
-  std::unique_ptr<CutContact<dim>> cut_contact;
-  /** With the rows that are split now. */
-  std::unique_ptr<ContactPath<dim>> path;
+  using ContactDrive<dim>::search;
+  using ContactDrive<dim>::cut_contact;
+  using ContactDrive<dim>::path;
 };
 } // namespace Setsudan

@@ -230,6 +230,11 @@ public:
   std::shared_ptr<TangentSolver>
   solver_without(const unsigned int row) override;
 
+  /** Whether the newest cut frees no part besides those that float already,
+   * while its first rows are split. */
+  bool
+  holds_all_after(const unsigned int n_split) const;
+
   /** The solver of all states of the newest cut, in the present one, or while
    * its first rows are split; of a body without a cut, on its board.
    *

@@ -12,8 +12,9 @@
 
 namespace Setsudan
 {
-/** The contact of a travelling blade with the newest cut, in all stages of that
- * cut, and of the body with its board, on their Schur complement. */
+/** The contact of a blade with the newest cut, in all stages of that cut, and
+ * of the body with its board, on their Schur complement: of a blade that
+ * travels, or of one that the scene's forces press in, over the load factor. */
 template <int dim>
 class CutContact
 {
@@ -29,7 +30,8 @@ public:
   bool
   is_of(CutBody<dim> &body) const;
 
-  /** The contact while the first rows are split, with the blade where it is.
+  /** The contact while the first rows are split, with the blade where it is;
+   * the load factor stands in the place of the travel.
    *
    * @param n_ahead how many rows may split next.
    * @param neighbour one whose contacts may be near; null if there is none. */
@@ -45,7 +47,14 @@ public:
   path_without_blade(const BladeMotion &motion,
                      const ContactPath<dim> *neighbour);
 
-  /** The state in which the contacts of a path hold at a travel.
+  /** Whether the cut can be followed until the blade is gone. */
+  bool
+  has_last_stage() const
+  {
+    return n_free.size() > n_rows(body);
+  }
+
+  /** The state in which the contacts of a path hold at a travel or load factor.
    *
    * @param row on which the blade rests.
    * @param guess a displacement near the solution. */
@@ -56,8 +65,14 @@ public:
         const LA::Vector &guess) const;
 
 private:
+  static unsigned int
+  n_rows(const CutBody<dim> &body);
   static ContactBasis<dim>
-  make_basis(CutBody<dim> &body);
+  make_basis(CutBody<dim> &body, const BladeProfile &profile);
+
+  /** Whether it is of a blade that the scene's forces press in. */
+  bool
+  has_forces() const;
 
   std::unique_ptr<ContactPath<dim>>
   path(const BladeProfile &profile,
@@ -74,6 +89,26 @@ private:
   std::optional<BoardLoad<dim>>
   board_load(const ContactPath<dim> &path, const double travel) const;
 
+  /** The blade under the scene's forces, and its pressure. */
+  BladeLoad<dim>
+  pressing_blade(const ContactPath<dim> &path,
+                 const unsigned int row,
+                 const double load_factor) const;
+
+  /** What the vectors measure in a displacement. */
+  std::vector<double>
+  measure(const LA::Vector &displacement) const;
+
+  /** @throw InvariantError where walls are in each other's way, or stick to the
+   * blade. */
+  void
+  check(const ContactPath<dim> &path, const State<dim> &state) const;
+
+  /** The body in a stage as the products have it. */
+  UntouchedBody
+  untouched(const dealii::LAPACKFullMatrix<double> &products,
+            const unsigned int n_split) const;
+
   /** Forces on some vectors of the basis, as forces on the unknowns. */
   std::map<dealii::types::global_dof_index, double>
   on_unknowns(const std::vector<double> &forces,
@@ -85,9 +120,18 @@ private:
   nodal_forces(
     const std::map<dealii::types::global_dof_index, double> &forces) const;
 
-  /** Sum the products up to a stage. */
+  /** Products of all vectors over the first unknowns. */
+  struct Products
+  {
+    dealii::LAPACKFullMatrix<double> matrix;
+    unsigned int n_summed = 0;
+  };
+
+  /** The products of a stage. */
+  const dealii::LAPACKFullMatrix<double> &
+  products_of(const unsigned int n_free);
   void
-  advance_products(const unsigned int n_free);
+  advance(Products &products, const unsigned int n_free) const;
 
   CutBody<dim> &body;
   const BladeProfile &profile;
@@ -99,9 +143,13 @@ private:
   /** A travel that is small beside a row. */
   const double step;
   typename CondensedSolver<dim>::Compliance compliance;
-  /** Of the vectors in the first unknowns. */
-  dealii::LAPACKFullMatrix<double> products;
-  unsigned int n_summed = 0;
+  /** Of the vectors of the basis, the forces on the edge in each stage, and the
+   * body's loads, in the first unknowns. */
+  Products of_stage;
+  /** The same in stages ahead of that, which are looked at in ascending order
+   * before the next one is. */
+  Products ahead;
+  unsigned int last_asked = 0;
   /** What the vectors measure in the displacement that it began with; empty
    * where there is no board. */
   std::vector<double> measured;

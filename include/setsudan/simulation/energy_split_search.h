@@ -13,7 +13,8 @@ namespace Setsudan
  * Those rows split, one or several at once, that first set free what their new
  * area takes, at fixed travel and with the contact found anew: pushing on an
  * uncut surface is softer than pushing inside, so that a single row might never
- * do.
+ * do. Where the scene's forces press the blade in these follow the front, and
+ * one row splits.
  */
 template <int dim>
 class EnergySplitSearch : public SplitSearch<dim>
@@ -40,6 +41,9 @@ public:
   std::optional<Split>
   first_split(const BladeMotion &motion, const double end) override;
 
+  CuttingStress
+  stress_at(const double travel) const override;
+
   double
   surface_energy(CutBody<dim> &body,
                  const unsigned int row,
@@ -57,8 +61,14 @@ private:
     double required;
     /** How far the front goes. */
     double length;
+    /** The work of the scene's forces on that way, which follow the front. */
+    double work;
     std::unique_ptr<ContactPath<dim>> path;
   };
+
+  /** What it sets free over the travel. */
+  Quadratic
+  released(const Trial &trial) const;
 
   std::optional<double>
   travel_of_split(const Trial &trial,

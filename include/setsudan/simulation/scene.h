@@ -43,12 +43,20 @@ struct Scene
   /** @throw SceneError for what is not possible. */
   explicit Scene(const Parameters &parameters);
 
+  /** Whether the walls of a cut touch the blade and each other by contact. */
+  bool
+  has_contact() const
+  {
+    return blade.travels ||
+           division.split_rows == DivisionParameters::SplitRows::wedged;
+  }
+
   /** Whether the nodes of a cut are duplicated before its first row is asked
    * whether it yields. */
   bool
   needs_seam() const
   {
-    return yield.compares_energies() || blade.travels;
+    return yield.compares_energies() || has_contact();
   }
 
   const std::string length_unit;

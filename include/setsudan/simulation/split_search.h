@@ -21,6 +21,8 @@ struct Split
 /**
  * Finds the travel of the blade at which rows split: one search for each front,
  * which goes along with the blade from one change of the contact to the next.
+ * Of a blade that forces press in it finds the factor of these, which stands in
+ * the place of the travel.
  */
 template <int dim>
 class SplitSearch
@@ -66,6 +68,11 @@ public:
    * that hold now. */
   virtual std::optional<Split>
   first_split(const BladeMotion &motion, const double end) = 0;
+
+  /** What drives the front row and what it requires at a travel at which the
+   * contacts hold that are looked at. */
+  virtual CuttingStress
+  stress_at(const double travel) const = 0;
 
   /** The energy that new surface takes.
    *

@@ -22,7 +22,8 @@ struct State
   LA::Vector displacement;
   /** The part of it that the blade's thickness prescribes. */
   LA::Vector opening;
-  /** All external nodal forces. */
+  /** All external nodal forces but the blade's pressure, which is not given but
+   * found, as the forces of constraints are. */
   LA::Vector forces;
   /** The internal forces, see Solution. */
   LA::Vector internal;
@@ -59,6 +60,11 @@ loaded_state(const CutBody<dim> &body,
 template <int dim>
 LA::Vector
 lift_of(const CutBody<dim> &body, const State<dim> &state);
+
+/** The external nodal forces, and the blade's pressure. */
+template <int dim>
+LA::Vector
+all_forces(const State<dim> &state);
 
 /** Put a solution into a loaded state. */
 template <int dim>

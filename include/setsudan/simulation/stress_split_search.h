@@ -29,6 +29,9 @@ public:
   std::optional<Split>
   first_split(const BladeMotion &motion, const double end) override;
 
+  CuttingStress
+  stress_at(const double travel) const override;
+
   /** All that is set free: the criterion does not ask how much it is. */
   double
   surface_energy(CutBody<dim> &body,

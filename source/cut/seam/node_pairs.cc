@@ -22,6 +22,19 @@ NodePair<dim>::is_double() const
 
 
 
+template <int dim>
+unsigned int
+NodePair<dim>::normal_component() const
+{
+  unsigned int component = 0;
+  for (unsigned int c = 1; c < dim; ++c)
+    if (std::abs(normal[c]) > std::abs(normal[component]))
+      component = c;
+  return component;
+}
+
+
+
 namespace
 {
 /** What one side's cell knows of a node of a cut face, as plain numbers, since

@@ -27,9 +27,10 @@ DivisionParameters::declare(ParameterHandler &handler)
                     "Division",
                     "Split rows",
                     "opened",
-                    Patterns::Selection("opened|free"),
+                    Patterns::Selection("opened|wedged|free"),
                     "opened: the blade keeps the two sides of split rows its "
-                    "thickness apart; free: nothing does, as in a crack.");
+                    "thickness apart; wedged: so far at least, pushing only; "
+                    "free: nothing does, as in a crack.");
   Setsudan::declare(handler,
                     "Division",
                     "Row tolerance",
@@ -75,12 +76,21 @@ read_release(const Parameters &parameters)
          : text == "element row" ? DivisionParameters::Release::element_row
                                  : DivisionParameters::Release::face_band;
 }
+
+DivisionParameters::SplitRows
+read_split_rows(const Parameters &parameters)
+{
+  const auto text = parameters.text("Division", "Split rows");
+  return text == "opened"   ? DivisionParameters::SplitRows::opened
+         : text == "wedged" ? DivisionParameters::SplitRows::wedged
+                            : DivisionParameters::SplitRows::free;
+}
 } // namespace
 
 
 DivisionParameters::DivisionParameters(const Parameters &parameters)
   : release(read_release(parameters))
-  , opens(parameters.text("Division", "Split rows") == "opened")
+  , split_rows(read_split_rows(parameters))
   , row_tolerance(parameters.number("Division", "Row tolerance"))
   , load_control(parameters.text("Division", "Load control") == "constant"
                    ? LoadControl::constant

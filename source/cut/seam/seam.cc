@@ -157,7 +157,7 @@ Seam<dim>::links(const PairStates &states,
           links.push_back(
             {sides, pair.position, Tensor<1, dim>(Point<dim>::unit_vector(c))});
       else if (states[p] == PairState::opened &&
-               !pair.supported[normal_component(p)])
+               !pair.supported[pair.normal_component()])
         links.push_back({sides, pair.position, pair.normal});
     }
   return links;
@@ -194,20 +194,6 @@ Seam<dim>::coupled_indices(const types::global_dof_index n_unknowns) const
 
 
 template <int dim>
-unsigned int
-Seam<dim>::normal_component(const unsigned int pair) const
-{
-  const auto &normal     = node_pairs[pair].normal;
-  unsigned int component = 0;
-  for (unsigned int c = 1; c < dim; ++c)
-    if (std::abs(normal[c]) > std::abs(normal[component]))
-      component = c;
-  return component;
-}
-
-
-
-template <int dim>
 void
 Seam<dim>::add_constraints(const PairStates &states,
                            AffineConstraints<double> &constraints) const
@@ -233,7 +219,7 @@ Seam<dim>::add_constraints(const PairStates &states,
             }
           continue;
         }
-      const unsigned int c = normal_component(p);
+      const unsigned int c = node_pairs[p].normal_component();
       if (constraints.is_constrained(constrained[c]))
         std::swap(constrained, free);
       if (supported[c] || constraints.is_constrained(constrained[c]))
@@ -264,7 +250,7 @@ Seam<dim>::opening(const PairStates &states,
   for (unsigned int p = 0; p < node_pairs.size(); ++p)
     {
       const NodePair<dim> &pair = node_pairs[p];
-      const unsigned int c      = normal_component(p);
+      const unsigned int c      = node_pairs[p].normal_component();
       if (states[p] != PairState::opened ||
           dependent_sides[p] == Dependent::none || pair.supported[c])
         continue;

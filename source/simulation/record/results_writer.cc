@@ -244,7 +244,7 @@ ResultsWriter<dim>::write_deck(const CutBody<dim> &body,
                                                 body.model(),
                                                 constraints,
                                                 prescribed,
-                                                state.forces,
+                                                all_forces(state),
                                                 state.displacement},
                                            scene.body);
   if (is_first_process)

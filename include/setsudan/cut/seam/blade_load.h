@@ -21,6 +21,18 @@ struct BladeLoad
   std::vector<PointForce<dim>> forces;
   /** The row on which it stands; nothing where there is no blade. */
   std::optional<unsigned int> row;
+  /** Besides, whatever the load factor, the forces by which it presses walls
+   * apart and by which these press on each other, which cancel; empty where
+   * there are none. Without ghosts. */
+  LA::Vector pressure = {};
+  /** The part of them that is on one wall of the cut, across it. */
+  double opening_force = 0;
+
+  bool
+  presses() const
+  {
+    return pressure.size() > 0;
+  }
 };
 
 /** The load of a blade that follows the front from a row to the next one, at

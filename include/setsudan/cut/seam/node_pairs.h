@@ -44,6 +44,10 @@ struct NodePair
   /** Whether the two sides have a node each. */
   bool
   is_double() const;
+
+  /** The component that an opening determines: the largest of the normal. */
+  unsigned int
+  normal_component() const;
 };
 
 /** Where the blade's travel comes to the nodes of a cut, and where it has

@@ -23,10 +23,19 @@ struct DivisionParameters
     ramp
   };
 
+  /** What the blade's thickness does to the sides of split rows. */
+  enum class SplitRows
+  {
+    /** It keeps them just so far apart, and may pull as well as push. */
+    opened,
+    /** It keeps them so far apart at least: it pushes only. */
+    wedged,
+    /** Nothing. */
+    free
+  };
+
   Release release;
-  /** Whether the blade keeps the sides of split rows apart; else they are
-   * free. */
-  bool opens;
+  SplitRows split_rows;
   /** In shortest lines of the cut. */
   double row_tolerance;
   LoadControl load_control;

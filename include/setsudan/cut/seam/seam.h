@@ -108,10 +108,6 @@ private:
   void
   choose_dependent_sides();
 
-  /** The component that an opening determines: that of the largest normal. */
-  unsigned int
-  normal_component(const unsigned int pair) const;
-
   const typename NodePair<dim>::NodeIndices &
   dependent(const unsigned int pair) const;
 
