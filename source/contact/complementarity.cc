@@ -310,7 +310,14 @@ Complementarity::Tried
 Complementarity::try_at(const ActiveSet &active, const double p) const
 {
   const LinearInParameter &required = conditions.required;
-  const Side at_p                   = side(p);
+  if (size() == 0)
+    {
+      Piece untouched;
+      untouched.displacements = {Vector<double>(products.m()),
+                                 Vector<double>(products.m())};
+      return {untouched, {}};
+    }
+  const Side at_p = side(p);
   const Side slope{required.slope, Vector<double>(at_p.closed.size())};
   auto solved = solve(active, {at_p, slope});
   std::array<Vector<double>, 2> moved{
@@ -322,7 +329,8 @@ Complementarity::try_at(const ActiveSet &active, const double p) const
     if (active[i])
       gap[0][i] = gap[1][i] = 0;
   const auto linear = [p](Vector<double> &value, Vector<double> &slope) {
-    value.add(-p, slope);
+    if (slope.size() > 0)
+      value.add(-p, slope);
     return LinearInParameter{std::move(value), std::move(slope)};
   };
   auto violated =

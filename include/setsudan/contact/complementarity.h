@@ -112,7 +112,7 @@ public:
     /** Along the vectors, as far as multipliers and springs cause them. */
     LinearInParameter displacements;
     /** The shared unknown, which is 0 where there is none. */
-    std::array<double, 2> shared;
+    std::array<double, 2> shared{};
 
     /** For boost::serialization. */
     template <typename Archive>
