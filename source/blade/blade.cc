@@ -109,6 +109,15 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     "blade needs no force) [-].");
   Setsudan::declare(handler,
                     "Blade",
+                    "Edge radius",
+                    "0",
+                    Patterns::Double(),
+                    "Of a measured edge, in place of Sharpness, which is 0 "
+                    "then: the material yields over the edge's width, which "
+                    "adds 2 r (1 + friction) times twice Material/Shear limit "
+                    "to the toughness [length].");
+  Setsudan::declare(handler,
+                    "Blade",
                     "Thickness",
                     "0.2",
                     Patterns::Double(),
@@ -208,6 +217,7 @@ read_edge_loads(const Parameters &parameters, const std::string &text)
 template <int dim>
 BladeParameters<dim>::BladeParameters(const Parameters &parameters)
   : sharpness(parameters.number("Blade", "Sharpness"))
+  , edge_radius(parameters.number("Blade", "Edge radius"))
   , thickness(parameters.number("Blade", "Thickness"))
   , travels(parameters.text("Blade", "Drive") == "travel")
   , path(parameters, travels)
@@ -218,6 +228,12 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
                      "Blade",
                      "Sharpness",
                      "a number from 0 to 1");
+  parameters.require(
+    edge_radius >= 0, "Blade", "Edge radius", "a number that is not negative");
+  parameters.require(edge_radius == 0 || sharpness == 0,
+                     "Blade",
+                     "Sharpness",
+                     "0 where Blade/Edge radius says how sharp the blade is");
   parameters.require(
     thickness >= 0, "Blade", "Thickness", "a number that is not negative");
   for (const auto &text : split(parameters.text("Blade", "Direction"), ';'))

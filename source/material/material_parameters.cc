@@ -241,6 +241,16 @@ smallest(const std::vector<Material> &materials, double Material::*value)
 
 
 template <int dim>
+void
+MaterialParameters<dim>::add_work_of_edge(const double width)
+{
+  for (auto &material : materials)
+    material.toughness += width * 2 * material.shear_limit;
+}
+
+
+
+template <int dim>
 double
 MaterialParameters<dim>::smallest_shear_limit() const
 {

@@ -85,6 +85,27 @@ describe_cut(const CutBody<dim> &body, const unsigned int cut)
 
 template <int dim>
 std::optional<std::string>
+describe_edge(const Scene<dim> &scene)
+{
+  if (scene.blade.edge_radius == 0)
+    return {};
+  const double work = 4 * scene.blade.edge_radius *
+                      (1 + scene.blade.sliding.friction) *
+                      scene.material.smallest_shear_limit();
+  std::ostringstream line;
+  line.precision(3);
+  line << "  the material yields over the width of the edge (Blade/Edge "
+          "radius), which adds "
+       << work << " " << scene.force_unit << "/" << scene.length_unit
+       << " to a toughness of " << scene.material.smallest_toughness() - work
+       << ".";
+  return line.str();
+}
+
+
+
+template <int dim>
+std::optional<std::string>
 describe_resolution(const CutBody<dim> &body)
 {
   const Scene<dim> &scene = body.scene();
@@ -260,6 +281,10 @@ template std::string
 describe_cut(const CutBody<2> &, const unsigned int);
 template std::optional<std::string>
 describe_resolution(const CutBody<2> &);
+template std::optional<std::string>
+describe_edge(const Scene<2> &);
+template std::optional<std::string>
+describe_edge(const Scene<3> &);
 template std::optional<std::string>
 describe_resolution(const CutBody<3> &);
 template std::string

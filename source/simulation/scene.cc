@@ -258,6 +258,35 @@ check_travel(const Parameters &parameters, const Scene<dim> &scene)
 } // namespace
 
 
+namespace
+{
+/** The materials, and what a blunt edge takes besides their toughness. */
+template <int dim>
+MaterialParameters<dim>
+material_for(const Parameters &parameters,
+             const Body<dim> &body,
+             const BladeParameters<dim> &blade)
+{
+  MaterialParameters<dim> material(parameters, body);
+  if (blade.edge_radius > 0)
+    {
+      parameters.require(parameters.text("Yield", "Criterion") ==
+                           "energy release",
+                         "Yield",
+                         "Criterion",
+                         "energy release where Blade/Edge radius is given");
+      parameters.require(parameters.is_given("Material", "Shear limit"),
+                         "Material",
+                         "Shear limit",
+                         "given where Blade/Edge radius is");
+      material.add_work_of_edge(2 * blade.edge_radius *
+                                (1 + blade.sliding.friction));
+    }
+  return material;
+}
+} // namespace
+
+
 template <int dim>
 Scene<dim>::Scene(const Parameters &parameters)
   : length_unit(parameters.text("", "Length unit"))
@@ -266,9 +295,9 @@ Scene<dim>::Scene(const Parameters &parameters)
   , body(make_body(parameters, body_parameters))
   , supports(SupportParameters<dim>(parameters, body), body)
   , loads(parameters, body)
-  , material(parameters, body)
   , rate(parameters)
   , blade(parameters)
+  , material(material_for(parameters, body, blade))
   , cut(parameters, body, supports, blade)
   , board(parameters, body)
   , yield(parameters)

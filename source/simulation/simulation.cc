@@ -221,6 +221,8 @@ Simulation<dim>::begin_cut(const unsigned int cut)
     event.motion->travel = 0;
   results.warn_anew();
   results.progress.info(describe_cut(body, cut));
+  if (const auto line = describe_edge(scene))
+    results.progress.info(*line);
   if (const auto line = describe_resolution(body))
     results.progress.info(*line);
   if (chosen.surface.n_open > 0)

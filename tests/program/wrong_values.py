@@ -283,6 +283,11 @@ WRONG_WEDGED = [
 WRONG_TRAVEL = [
     ("Blade/Friction", "-0.1", "not negative"),
     ("Blade/Friction", "nan", PATTERN),
+    ("Blade/Edge radius", "-0.1", "not negative", {"Blade/Sharpness": "0"}),
+    ("Blade/Sharpness", "0.5", "0 where Blade/Edge radius",
+     {"Blade/Edge radius": "0.1"}),
+    ("Yield/Criterion", "maximum shear", "energy release where Blade/Edge radius",
+     {"Blade/Edge radius": "0.1", "Blade/Sharpness": "0"}),
     ("Blade/Adhesion", "-0.1", "not negative"),
     ("Blade/Adhesion", "1", "0 where Blade/Guide is free", {"Blade/Guide": "free"}),
     *[("Blade/Travel", path, "either positions, or 'time : position' throughout")

@@ -122,6 +122,20 @@ def wire_rows(options, _):
             yield Row("mean force over toughness", mesh, 1, cut.mean_force(), 1e-3)
 
 
+def blunt_rows(options, _):
+    """An edge whose radius takes two fifths of the work, and friction around it."""
+    for friction in (0, .25):
+        blunt = block(options, 16, {
+            "Material/Toughness": 6e-4, "Material/Shear limit": .01,
+            "Blade/Edge radius": .01 / (1 + friction), "Blade/Friction": friction})
+        sharp = block(options, 16, {"Material/Toughness": 1e-3,
+                                    "Blade/Friction": friction})
+        for column in ("travel", "blade_force", "surface_energy"):
+            yield Row(f"{column}, blunt edge over larger toughness",
+                      f"friction {friction}, 16 along the cut",
+                      number(sharp.end, column), number(blunt.end, column), 1e-9)
+
+
 def profile_rows(options, _):
     """A wedge whose flanks and shank are given as a profile."""
     shapes = [{"Blade/Shape": "wedge", "Blade/Wedge angle": 90, "Blade/Thickness": .1},
@@ -320,7 +334,7 @@ def stress_rows(options, _):
 
 
 def rows(options, long):
-    for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows, cantilever_rows,
+    for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows, blunt_rows, cantilever_rows,
                     slab_rows, slicing_rows, rate_rows, tip_rows, withdrawal_rows, stress_rows):
         yield from of_kind(options, long)
 

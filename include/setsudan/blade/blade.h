@@ -48,6 +48,8 @@ template <int dim>
 struct BladeParameters
 {
   double sharpness;
+  /** Of a measured edge; 0 where none is given. */
+  double edge_radius;
   double thickness;
   /** Whether the edge moves by a travel, and the force is the reaction. */
   bool travels;

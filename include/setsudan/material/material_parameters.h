@@ -48,6 +48,15 @@ public:
   unsigned int
   n_materials() const;
 
+  /**
+   * Add the work that a blunt edge takes, per area that it divides: over its
+   * width the material yields, in tension at twice its shear limit.
+   *
+   * @param width of the edge, times 1 and Coulomb's coefficient of the
+   *   material's slip around it. */
+  void
+  add_work_of_edge(const double width);
+
   /** The smallest shear limit of all. */
   double
   smallest_shear_limit() const;

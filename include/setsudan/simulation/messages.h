@@ -28,6 +28,11 @@ template <int dim>
 std::string
 describe_cut(const CutBody<dim> &body, const unsigned int cut);
 
+/** What a blunt edge adds to the toughness; nothing where it is not given. */
+template <int dim>
+std::optional<std::string>
+describe_edge(const Scene<dim> &scene);
+
 /** Whether elements are too large to tell the force of a blade that travels at
  * every moment; nothing where they are not. */
 template <int dim>

@@ -65,10 +65,11 @@ struct Scene
   const Body<dim> body;
   const Supports<dim> supports;
   const LoadParameters<dim> loads;
-  /** Not const: a program of one's own may give a material another law. */
-  MaterialParameters<dim> material;
   const RateLaw rate;
   const BladeParameters<dim> blade;
+  /** As the blade finds it. Not const: a program of one's own may give a
+   * material another law. */
+  MaterialParameters<dim> material;
   const CutParameters<dim> cut;
   const BoardParameters<dim> board;
   const YieldParameters yield;
