@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <limits>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -107,6 +109,16 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
                     Patterns::Double(),
                     "From 0 (the whole shear limit is required) to 1 (the "
                     "blade needs no force) [-].");
+  Setsudan::declare(
+    handler,
+    "Blade",
+    "Edge points",
+    "",
+    Patterns::Anything(),
+    "An edge that is inclined or curved, in 3D: 'position : how "
+    "far behind the foremost point', ascending, as '0 : 0, 10 : "
+    "2'; positions are coordinates along the axis nearest to "
+    "the edge. Empty: straight across the way [length].");
   Setsudan::declare(handler,
                     "Blade",
                     "Edge radius",
@@ -224,6 +236,7 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
 {
   read_sliding(parameters);
   read_shape(parameters);
+  read_edge_points(parameters);
   parameters.require(sharpness >= 0 && sharpness <= 1,
                      "Blade",
                      "Sharpness",
@@ -368,6 +381,36 @@ BladeParameters<dim>::read_shape(const Parameters &parameters)
     thickness > 0, "Blade", "Thickness", "more than 0, for a " + shape);
   profile = shape == "wire" ? BladeProfile::wire(thickness)
                             : read_wedge(parameters, thickness);
+}
+
+
+
+template <int dim>
+void
+BladeParameters<dim>::read_edge_points(const Parameters &parameters)
+{
+  const std::string text = parameters.text("Blade", "Edge points");
+  const auto require     = [&](const bool holds, const std::string &allowed) {
+    parameters.require(holds, "Blade", "Edge points", allowed);
+  };
+  double foremost = std::numeric_limits<double>::max();
+  for (const auto &[position, setback] : split_items(text, ','))
+    {
+      std::vector<double> values;
+      require(parse_numbers(position + "," + setback, values) &&
+                values.size() == 2,
+              "points 'position : distance behind the foremost one', separated "
+              "by ','");
+      require(edge_points.empty() || values[0] > edge_points.back().position,
+              "positions that ascend");
+      edge_points.push_back({values[0], values[1]});
+      foremost = std::min(foremost, values[1]);
+    }
+  require(edge_points.empty() || edge_points.size() > 1, "two points or more");
+  require(edge_points.empty() || dim == 3,
+          "nothing in 2D, where the edge is a point");
+  for (auto &point : edge_points)
+    point.setback -= foremost;
 }
 
 

@@ -18,6 +18,27 @@ degrees_of_sine(const double sine)
   return std::asin(std::min(1., std::abs(sine))) * 180 / numbers::PI;
 }
 
+/** How far an edge is behind its foremost point, at a position. */
+double
+setback(const std::vector<EdgePoint> &points, const double position)
+{
+  if (points.empty())
+    return 0;
+  const auto next =
+    std::upper_bound(points.begin(),
+                     points.end(),
+                     position,
+                     [](const double at, const EdgePoint &point) {
+                       return at < point.position;
+                     });
+  if (next == points.begin() || next == points.end())
+    return (next == points.end() ? points.back() : points.front()).setback;
+  const auto last = next - 1;
+  return last->setback + (next->setback - last->setback) *
+                           (position - last->position) /
+                           (next->position - last->position);
+}
+
 /** The mean of the sine between a direction and faces. */
 template <int dim>
 double
@@ -37,8 +58,10 @@ mean_sine(const std::vector<Tensor<1, dim>> &areas,
 
 template <int dim>
 BladeEdge<dim>::BladeEdge(const std::vector<Tensor<1, dim>> &areas,
-                          const Tensor<1, dim> &way)
+                          const Tensor<1, dim> &way,
+                          const std::vector<EdgePoint> &points)
   : direction(way)
+  , points(points)
 {
   double area = 0;
   for (const auto &face : areas)
@@ -84,7 +107,7 @@ template <int dim>
 double
 BladeEdge<dim>::travel(const Point<dim> &point) const
 {
-  return direction * Tensor<1, dim>(point);
+  return direction * Tensor<1, dim>(point) + setback(points, position(point));
 }
 
 

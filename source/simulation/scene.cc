@@ -317,6 +317,13 @@ Scene<dim>::Scene(const Parameters &parameters)
     check_supports(parameters, body, supports);
   if (blade.travels)
     check_travel(parameters, *this);
+  parameters.require(blade.edge_points.empty() ||
+                       division.release ==
+                         DivisionParameters::Release::face_band,
+                     "Division",
+                     "Release",
+                     "face band where Blade/Edge points are given, since "
+                     "elements lie in no rows along such an edge");
   if (has_contact())
     check_contact(parameters, *this);
   parameters.require(

@@ -19,6 +19,14 @@ struct EdgeLoad
   double force;
 };
 
+/** A point of an edge: its position along the edge, and how far it is behind
+ * the foremost one. */
+struct EdgePoint
+{
+  double position;
+  double setback;
+};
+
 /** The forces on an edge, along the blade's direction. */
 struct EdgeLoads
 {
@@ -61,6 +69,9 @@ struct BladeParameters
   std::vector<dealii::Tensor<1, dim>> directions;
   /** The loads on the edge, for each cut or for all. */
   std::vector<EdgeLoads> edge_loads;
+  /** The edge is a line through these points, and ends as far back as the last
+   * ones; none of one that is straight across its way. Ascending. */
+  std::vector<EdgePoint> edge_points;
 
   static void
   declare(dealii::ParameterHandler &handler);
@@ -72,5 +83,7 @@ private:
   read_sliding(const Parameters &parameters);
   void
   read_shape(const Parameters &parameters);
+  void
+  read_edge_points(const Parameters &parameters);
 };
 } // namespace Setsudan

@@ -21,11 +21,15 @@ struct BladeEdge
    * direction nearer to the faces it is left as it is.
    *
    * @param areas the area vectors of the faces.
+   * @param points of an edge that is not straight, or not square to its way:
+   *   see BladeParameters.
    */
   BladeEdge(const std::vector<dealii::Tensor<1, dim>> &areas,
-            const dealii::Tensor<1, dim> &direction);
+            const dealii::Tensor<1, dim> &direction,
+            const std::vector<EdgePoint> &points = {});
 
-  /** How far the blade travels to a point, from wherever. */
+  /** How far the blade travels until its edge comes to a point, from wherever.
+   */
   double
   travel(const dealii::Point<dim> &point) const;
 
@@ -48,6 +52,8 @@ struct BladeEdge
   dealii::Tensor<1, dim> normal;
   /** The axis nearest to the edge. */
   unsigned int axis = 0;
+  /** Ascending; none of an edge that is straight across its way. */
+  std::vector<EdgePoint> points;
 };
 
 /** A part of a force that one of a row of nodes takes. */

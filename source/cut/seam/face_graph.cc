@@ -83,7 +83,7 @@ FaceGraph<dim>::place_of_face(const SurfaceFace &face) const
   const Tensor<1, dim> inside = middle(face);
   const auto add = [&](const double area, const Tensor<1, dim> &center) {
     place.area += area;
-    place.center += area * (edge.direction * center - entry);
+    place.center += area * (edge.travel(Point<dim>(center)) - entry);
   };
   for (const auto &line : face.lines)
     if constexpr (dim == 3)

@@ -87,6 +87,15 @@ check_blade(const Parameters &parameters,
             const Supports<dim> &supports,
             const Cut<dim> &cut)
 {
+  if (const auto &points = cut.edge.points; !points.empty())
+    for (const auto &node : nodes_of_cut(body, supports, cut))
+      parameters.require(node.position >= points.front().position - 1e-9 &&
+                           node.position <= points.back().position + 1e-9,
+                         "Blade",
+                         "Edge points",
+                         "points that reach over the whole cut, and '" +
+                           cut.text + "' has a node at " +
+                           short_text(node.position));
   // 45 degrees themselves are allowed, whatever round-off makes of them.
   const double off =
     std::max(cut.edge.projection_angle, cut.edge.angle_to_faces);

@@ -194,11 +194,12 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
       const auto surface    = choose_surface(
         parameters, body, items[c], direction, for_cut(extents, c));
       check_surface(parameters, body, items[c].text, surface.faces);
-      cuts.push_back(
-        {items[c].text,
-         surface,
-         BladeEdge<dim>(areas_of_faces(body, surface.faces), direction),
-         for_cut(blade.edge_loads, c)});
+      cuts.push_back({items[c].text,
+                      surface,
+                      BladeEdge<dim>(areas_of_faces(body, surface.faces),
+                                     direction,
+                                     blade.edge_points),
+                      for_cut(blade.edge_loads, c)});
       for (unsigned int other = 0; other < c; ++other)
         parameters.require(!is_same(cuts[other].surface.faces, surface.faces),
                            "Cut",

@@ -2,6 +2,8 @@
 #include <setsudan/output/frames/blade_surface.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace Setsudan
 {
@@ -36,19 +38,19 @@ VtuGrid
 blade_surface(const BladeProfile &profile, const BladePlace<dim> &place)
 {
   constexpr unsigned char vtk_line = 3, vtk_quadrilateral = 9;
-  constexpr unsigned int n_ends = dim - 1;
-  const auto section            = outline(profile, place.length);
+  const auto section  = outline(profile, place.length);
+  const auto n_points = static_cast<std::int32_t>(place.edge.size());
   std::vector<double> points;
   for (const auto &[behind, across] : section)
-    for (unsigned int end = 0; end < n_ends; ++end)
+    for (const auto &of_edge : place.edge)
       {
         const Point<dim> point =
-          place.edge[end] - behind * place.direction + across * place.normal;
+          of_edge - behind * place.direction + across * place.normal;
         for (unsigned int c = 0; c < 3; ++c)
           points.push_back(c < dim ? point[c % dim] : 0.);
       }
   VtuGrid grid{dim == 3 ? vtk_quadrilateral : vtk_line,
-               2 * n_ends,
+               dim == 3 ? 4 : 2,
                std::move(points),
                {},
                {},
@@ -57,8 +59,13 @@ blade_surface(const BladeProfile &profile, const BladePlace<dim> &place)
   const auto n = static_cast<std::int32_t>(section.size());
   for (std::int32_t i = 0; i + 1 < n; ++i)
     if constexpr (dim == 3)
-      grid.connectivity.insert(grid.connectivity.end(),
-                               {2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
+      for (std::int32_t j = 0; j + 1 < n_points; ++j)
+        {
+          const std::int32_t first = n_points * i + j;
+          grid.connectivity.insert(
+            grid.connectivity.end(),
+            {first, first + 1, first + n_points + 1, first + n_points});
+        }
     else
       grid.connectivity.insert(grid.connectivity.end(), {i, i + 1});
   return grid;

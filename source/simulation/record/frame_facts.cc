@@ -131,8 +131,6 @@ place_of_blade(const CutBody<dim> &body, const BladeMotion &motion)
     along = cross_product_3d(place.normal, place.direction);
   const Point<dim> entry =
     pairs[body.seam().rows().front().front.front()].position;
-  const double depth =
-    motion.travel - (edge.travel(entry) - travels_of_pairs(pairs, edge)[0]);
   std::array<double, 2> ends{{0., 0.}};
   for (const auto &pair : pairs)
     {
@@ -140,10 +138,25 @@ place_of_blade(const CutBody<dim> &body, const BladeMotion &motion)
       ends = {{std::min(ends[0], position), std::max(ends[1], position)}};
     }
   const double beyond = (ends[1] - ends[0]) / 10;
-  for (unsigned int end = 0; end < 2; ++end)
-    place.edge[end] = entry + depth * edge.direction +
-                      motion.shift * edge.normal +
-                      (ends[end] + (end == 0 ? -beyond : beyond)) * along;
+  std::vector<double> positions{0.};
+  if constexpr (dim == 3)
+    positions = {ends[0] - beyond, ends[1] + beyond};
+  for (const auto &point : edge.points)
+    {
+      const double position =
+        (point.position - entry[edge.axis]) / along[edge.axis];
+      if (position > ends[0] && position < ends[1])
+        positions.push_back(position);
+    }
+  std::sort(positions.begin(), positions.end());
+  const double first = travels_of_pairs(pairs, edge)[0];
+  for (const double position : positions)
+    {
+      const Point<dim> at = entry + position * along;
+      place.edge.push_back(
+        at + (motion.travel - (edge.travel(at) - first)) * edge.direction +
+        motion.shift * edge.normal);
+    }
   place.length = motion.travel + body.mesh().extent() / 5;
   return place;
 }

@@ -6,7 +6,7 @@
 #include <setsudan/blade/blade_profile.h>
 #include <setsudan/output/frames/vtu.h>
 
-#include <array>
+#include <vector>
 
 namespace Setsudan
 {
@@ -14,8 +14,8 @@ namespace Setsudan
 template <int dim>
 struct BladePlace
 {
-  /** The ends of the edge; in 2D one point, twice. */
-  std::array<dealii::Point<dim>, 2> edge;
+  /** The points of the edge, from end to end; in 2D one. */
+  std::vector<dealii::Point<dim>> edge;
   /** Unit vectors of its travel, and across the cut. */
   dealii::Tensor<1, dim> direction;
   dealii::Tensor<1, dim> normal;
