@@ -9,7 +9,7 @@ import sys
 
 from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
 from program_cases import wrong_text, wrong_value
-from wrong_values import TRAVEL, WEDGED, WRONG_SLICE, WRONG_TRAVEL, WRONG_VALUES
+from wrong_values import TRAVEL, WEDGED, WRONG_IN_SPACE, WRONG_SLICE, WRONG_TRAVEL, WRONG_VALUES
 from wrong_values import WRONG_WEDGED
 
 GOOD_TEXT, LINES = scene_text(SCENE)
@@ -144,6 +144,8 @@ def travel():
             yield wrong_value(path, value, allowed, {**base, **TRAVEL}, *also)
         for path, value, allowed, *also in WRONG_WEDGED:
             yield wrong_value(path, value, allowed, {**base, **WEDGED}, *also)
+    for path, value, allowed, *also in WRONG_IN_SPACE:
+        yield wrong_value(path, value, allowed, {**SCENE, **TRAVEL}, *also)
     for path, value, allowed in WRONG_SLICE:
         yield wrong_value(path, value, allowed,
                           {**SCENE, **TRAVEL, "Blade/Slice-push ratio": "1"})

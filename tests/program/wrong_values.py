@@ -283,6 +283,8 @@ WRONG_WEDGED = [
 WRONG_TRAVEL = [
     ("Blade/Friction", "-0.1", "not negative"),
     ("Blade/Friction", "nan", PATTERN),
+    *[("Blade/Edge points", points, "position : distance behind the foremost one")
+      for points in ("0", "0 : x, 1 : 1", "0 : 1 : 2, 3 : 1")],
     ("Blade/Edge radius", "-0.1", "not negative", {"Blade/Sharpness": "0"}),
     ("Blade/Sharpness", "0.5", "0 where Blade/Edge radius",
      {"Blade/Edge radius": "0.1"}),
@@ -338,6 +340,13 @@ WRONG_TRAVEL = [
     ("Accuracy/Target", "0.1", "0 where Blade/Drive"),
 ]
 # Only where the edge is a line.
+WRONG_IN_SPACE = [
+    ("Blade/Edge points", "1 : 0, 0 : 1", "positions that ascend"),
+    ("Blade/Edge points", "1 : 0", "two points or more"),
+    ("Blade/Edge points", "0.1 : 0, 0.2 : 1", "reach over the whole cut"),
+    ("Division/Release", "element row", "face band where Blade/Edge points",
+     {"Blade/Edge points": "-100 : 0, 100 : 1"}),
+]
 WRONG_SLICE = [
     ("Blade/Adhesion", "1", "0 where Blade/Slice-push ratio"),
     ("Blade/Travel", "2, 1", "a blade that slices is not withdrawn"),
