@@ -174,19 +174,28 @@ test_followers(const unsigned int n, Generator &generator)
   ContactConditions conditions{vectors, vectors, required};
   conditions.leader = leader;
   const Complementarity problem(products, conditions);
-  const auto piece   = problem.piece(problem.active_set(0));
+  // All of them are there in the guess.
+  const auto piece =
+    problem.piece(problem.active_set(0, ActiveSet(2 * n, true)));
   const auto &lambda = piece.multipliers.constant;
   Vector<double> gap(2 * n);
   products.vmult(gap, lambda);
   gap -= required.constant;
   double violated = 0, other = 0;
+  bool are_led = true;
   for (unsigned int i = 0; i < n; ++i)
     {
       violated =
         std::max({violated, -lambda[i], -gap[i], std::abs(lambda[i] * gap[i])});
-      other = std::max(
-        other, lambda[i] > 0 ? std::abs(gap[n + i]) : std::abs(lambda[n + i]));
+      other   = std::max(other,
+                       piece.active[n + i] ? std::abs(gap[n + i])
+                                             : std::abs(lambda[n + i]));
+      are_led = are_led && piece.active[n + i] == piece.active[i];
     }
+  std::cout << n
+            << (are_led ? ": followers end with their leaders"
+                        : ": FAILED: a follower without its leader")
+            << std::endl;
   const double scale = 1 + lambda.linfty_norm();
   check_below("  leaders", violated / scale, 1e-9);
   check_below("  followers", other / scale, 1e-9);
