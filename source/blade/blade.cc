@@ -39,6 +39,15 @@ declare_body(ParameterHandler &handler)
                     Patterns::Double(),
                     "With which the flanks turn into the shank; at 0 a wall "
                     "springs back there, and its energy is lost [length].");
+  Setsudan::declare(
+    handler,
+    "Blade",
+    "Height",
+    "0",
+    Patterns::Double(),
+    "Of a wedge or a profile, from the edge to its back, behind "
+    "which the walls may close again; 0: without an end "
+    "[length].");
   Setsudan::declare(handler,
                     "Blade",
                     "Profile",

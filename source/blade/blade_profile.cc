@@ -80,6 +80,16 @@ BladeProfile::wire(const double diameter)
 
 
 
+void
+BladeProfile::end_at(const double height)
+{
+  const double thick = half_thickness(height);
+  facets.push_back({height, thick, -1.});
+  length = height + thick;
+}
+
+
+
 unsigned int
 BladeProfile::facet_at(const double s) const
 {

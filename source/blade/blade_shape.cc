@@ -87,12 +87,35 @@ BladeParameters<dim>::read_shape(const Parameters &parameters)
   if (shape == "profile")
     {
       profile = read_profile(parameters);
+      read_height(parameters);
       return;
     }
   parameters.require(
     thickness > 0, "Blade", "Thickness", "more than 0, for a " + shape);
   profile = shape == "wire" ? BladeProfile::wire(thickness)
                             : read_wedge(parameters, thickness);
+  read_height(parameters);
+}
+
+
+
+template <int dim>
+void
+BladeParameters<dim>::read_height(const Parameters &parameters)
+{
+  const double height  = parameters.number("Blade", "Height");
+  const double tapered = profile.facets.back().begin;
+  parameters.require(height == 0 || !profile.presses_across,
+                     "Blade",
+                     "Height",
+                     "0 where Blade/Shape is wire");
+  parameters.require(height == 0 || height > tapered,
+                     "Blade",
+                     "Height",
+                     "0, or more than " + short_text(tapered) +
+                       ", where the shank begins");
+  if (height > 0)
+    profile.end_at(height);
 }
 
 
@@ -127,8 +150,9 @@ BladeParameters<dim>::read_edge_points(const Parameters &parameters)
 
 
 
-#define INSTANTIATE(dim)                                                   \
-  template void BladeParameters<dim>::read_shape(const Parameters &);      \
+#define INSTANTIATE(dim)                                               \
+  template void BladeParameters<dim>::read_shape(const Parameters &);  \
+  template void BladeParameters<dim>::read_height(const Parameters &); \
   template void BladeParameters<dim>::read_edge_points(const Parameters &);
 
 INSTANTIATE(2)

@@ -285,6 +285,9 @@ WRONG_TRAVEL = [
     ("Blade/Friction", "nan", PATTERN),
     *[("Blade/Edge points", points, "position : distance behind the foremost one")
       for points in ("0", "0 : x, 1 : 1", "0 : 1 : 2, 3 : 1")],
+    ("Blade/Height", "0.1", "0, or more than"),
+    ("Blade/Height", "-1", "0, or more than"),
+    ("Blade/Height", "2", "0 where Blade/Shape is wire", {"Blade/Shape": "wire"}),
     ("Blade/Edge radius", "-0.1", "not negative", {"Blade/Sharpness": "0"}),
     ("Blade/Sharpness", "0.5", "0 where Blade/Edge radius",
      {"Blade/Edge radius": "0.1"}),

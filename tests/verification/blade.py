@@ -122,6 +122,21 @@ def wire_rows(options, _):
             yield Row("mean force over toughness", mesh, 1, cut.mean_force(), 1e-3)
 
 
+def height_rows(options, _):
+    """The slender block and a wedge that ends inside it, behind which the walls close
+    again and give back what they had stored, and one that does not end there."""
+    wedge = {"Blade/Shape": "wedge", "Blade/Wedge angle": 40, "Blade/Thickness": .1,
+             "Blade/Shoulder radius": .05, "Material/Toughness": 1e-3}
+    cuts = {height: Cut(options, 8, 32, (.5, 2), {**wedge, "Blade/Height": height},
+                        (.8, 1.3)) for height in (0, .4, 3)}
+    yield from energies(cuts[.4], "40 degrees, 0.4 high, 16 over 1")
+    yield Row("mean force over toughness", "40 degrees, 0.4 high, 16 over 1", 1,
+              cuts[.4].mean_force(), .02)
+    for column in ("travel", "blade_force", "strain_energy"):
+        yield Row(f"{column}, higher than the body over endless", "16 over 1",
+                  number(cuts[0].end, column), number(cuts[3].end, column), 1e-12)
+
+
 def blunt_rows(options, _):
     """An edge whose radius takes two fifths of the work, and friction around it."""
     for friction in (0, .25):
@@ -334,7 +349,8 @@ def stress_rows(options, _):
 
 
 def rows(options, long):
-    for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows, blunt_rows, cantilever_rows,
+    for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows,
+                    height_rows, blunt_rows, cantilever_rows,
                     slab_rows, slicing_rows, rate_rows, tip_rows, withdrawal_rows, stress_rows):
         yield from of_kind(options, long)
 

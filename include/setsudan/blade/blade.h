@@ -84,6 +84,8 @@ private:
   void
   read_shape(const Parameters &parameters);
   void
+  read_height(const Parameters &parameters);
+  void
   read_edge_points(const Parameters &parameters);
 };
 } // namespace Setsudan

@@ -66,6 +66,10 @@ struct BladeProfile
   static BladeProfile
   wire(const double diameter);
 
+  /** End the shank at its back, which is chamfered by 45 degrees. */
+  void
+  end_at(const double height);
+
   double
   half_thickness(const double s) const;
 
