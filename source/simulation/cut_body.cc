@@ -98,6 +98,7 @@ CutBody<dim>::begin_cut(const Cut<dim> &cut)
   split_mesh_to_come = split_mesh(present_mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
+  present_entry_hats.clear();
   n_split_rows = 0;
   is_finished  = false;
   cells_at_seam.reset();
@@ -178,7 +179,32 @@ CutBody<dim>::make_surgery()
                    find_pieces(present_mesh, element_labels.piece),
                    the_scene.supports,
                    the_scene.board.faces);
+  present_entry_hats = find_entry_hats();
   return uncut;
+}
+
+
+
+template <int dim>
+std::vector<EntryHat<dim>>
+CutBody<dim>::find_entry_hats() const
+{
+  if (!the_scene.blade.travels)
+    return {};
+  const auto is_there = [&](const unsigned int element) {
+    return !severed.drops ||
+           std::none_of(severed.floating().begin(),
+                        severed.floating().end(),
+                        [&](const FloatingPiece &piece) {
+                          return piece.piece == element_labels.piece[element];
+                        });
+  };
+  return Setsudan::entry_hats(*present_model,
+                              the_scene.body.mesh,
+                              *newest_seam,
+                              cut().edge,
+                              the_scene.blade.profile,
+                              is_there);
 }
 
 

@@ -126,6 +126,7 @@ CutBody<dim>::stages() const
                                     : IndexSet(n_unknowns);
     if (present_board)
       unknowns.add_indices(present_board->unknowns(n_unknowns));
+    unknowns.add_indices(unknowns_of(present_entry_hats, n_unknowns));
     // Walls of earlier cuts may meet where a blade presses by contact.
     if (the_scene.has_contact())
       for (const auto &pairs : finished_pairs)
