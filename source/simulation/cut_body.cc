@@ -186,30 +186,6 @@ CutBody<dim>::make_surgery()
 
 
 template <int dim>
-std::vector<EntryHat<dim>>
-CutBody<dim>::find_entry_hats() const
-{
-  if (!the_scene.blade.travels)
-    return {};
-  const auto is_there = [&](const unsigned int element) {
-    return !severed.drops ||
-           std::none_of(severed.floating().begin(),
-                        severed.floating().end(),
-                        [&](const FloatingPiece &piece) {
-                          return piece.piece == element_labels.piece[element];
-                        });
-  };
-  return Setsudan::entry_hats(*present_model,
-                              the_scene.body.mesh,
-                              *newest_seam,
-                              cut().edge,
-                              the_scene.blade.profile,
-                              is_there);
-}
-
-
-
-template <int dim>
 void
 CutBody<dim>::split_nodes()
 {
