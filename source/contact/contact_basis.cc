@@ -52,15 +52,15 @@ rows_of_pairs(const Seam<dim> &seam)
 
 
 
-/** Along the edge, where there is one. */
+/** Along the edge, where there is one, at a normal of the cut. */
 template <int dim>
 Tensor<1, dim>
-aside_at([[maybe_unused]] const NodePair<dim> &pair,
+aside_at([[maybe_unused]] const Tensor<1, dim> &normal,
          [[maybe_unused]] const BladeEdge<dim> &edge)
 {
   Tensor<1, dim> aside;
   if constexpr (dim == 3)
-    aside = cross_product_3d(pair.normal, edge.direction);
+    aside = cross_product_3d(normal, edge.direction);
   return aside;
 }
 } // namespace
@@ -73,10 +73,38 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
                                 const BladeEdge<dim> &edge,
                                 const TouchingBlade &blade,
                                 const std::vector<CutFaces<dim>> &earlier,
-                                const BoardContacts<dim> *board)
+                                const BoardContacts<dim> *board,
+                                const std::vector<EntryHat<dim>> &outer)
   : blade(blade)
   , mpi_communicator(model.discretization.communicator)
   , the_board(board)
+{
+  make_hats(model, surface, seam, edge);
+  n_hats_on_cut = all_hats.size();
+  if (blade.has_flanks)
+    {
+      make_flank_vectors(seam, edge);
+      add_outer_hats(outer, edge);
+    }
+  else
+    for (const auto &hat : all_hats)
+      add_gap_vector(seam.pairs(), hat.weights);
+  if (blade.has_edge)
+    make_edge_vectors(seam, edge);
+  for (const auto &cut : earlier)
+    add_earlier_walls(model, cut);
+  if (board)
+    add_board(*board);
+}
+
+
+
+template <int dim>
+void
+ContactBasis<dim>::make_hats(const ElasticModel<dim> &model,
+                             const CutSurface<dim> &surface,
+                             const Seam<dim> &seam,
+                             const BladeEdge<dim> &edge)
 {
   const auto &pairs   = seam.pairs();
   const double entry  = travels_of_pairs(pairs, edge)[0];
@@ -94,8 +122,7 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
        hat_weights(model, {surface, seam.pairs()}))
     if (pairs[corner].is_double())
       {
-        Hat hat{
-          corner, rows[corner], 0., 0., 0., {weights.begin(), weights.end()}};
+        Hat hat{rows[corner], 0., 0., 0., {weights.begin(), weights.end()}};
         for (const auto &[pair, weight] : weights)
           {
             hat.area += weight;
@@ -105,17 +132,6 @@ ContactBasis<dim>::ContactBasis(const ElasticModel<dim> &model,
         hat.depth /= hat.area;
         all_hats.push_back(hat);
       }
-  if (blade.has_flanks)
-    make_flank_vectors(seam, edge);
-  else
-    for (const auto &hat : all_hats)
-      add_gap_vector(pairs, hat.weights);
-  if (blade.has_edge)
-    make_edge_vectors(seam, edge);
-  for (const auto &cut : earlier)
-    add_earlier_walls(model, cut);
-  if (board)
-    add_board(*board);
 }
 
 
@@ -140,7 +156,7 @@ ContactBasis<dim>::make_edge_vectors(const Seam<dim> &seam,
       UnknownForces vector;
       const auto &pair = seam.pairs()[node.pair];
       const Tensor<1, dim> way =
-        edge.direction + blade.sliding.drag() * aside_at(pair, edge);
+        edge.direction + blade.sliding.drag() * aside_at(pair.normal, edge);
       for (unsigned int c = 0; c < dim; ++c)
         vector.emplace_back(pair.minus[c], way[c]);
       all_vectors.push_back(vector);
@@ -231,7 +247,7 @@ ContactBasis<dim>::make_flank_vectors(const Seam<dim> &seam,
           case Component::along:
             return edge.direction;
           case Component::aside:
-            return aside_at(pair, edge);
+            return aside_at(pair.normal, edge);
           default:
             return wall == Wall::plus ? pair.normal : -pair.normal;
         }
@@ -260,13 +276,40 @@ ContactBasis<dim>::make_flank_vectors(const Seam<dim> &seam,
 
 
 template <int dim>
+void
+ContactBasis<dim>::add_outer_hats(const std::vector<EntryHat<dim>> &outer,
+                                  const BladeEdge<dim> &edge)
+{
+  for (const auto &entry : outer)
+    {
+      const double area = entry.hat.area;
+      all_hats.push_back({0, area, entry.depth, area, {}, entry});
+      const Tensor<1, dim> out = entry.is_plus ? edge.normal : -edge.normal;
+      std::vector<Tensor<1, dim>> ways = {out, edge.direction};
+      if (blade.sliding.rubs_aside())
+        ways.push_back(aside_at(edge.normal, edge));
+      for (const auto &way : ways)
+        {
+          UnknownForces vector;
+          for (const auto &[node, weight] : entry.hat.nodes)
+            for (unsigned int c = 0; c < dim; ++c)
+              vector.emplace_back(node[c], weight * way[c]);
+          all_vectors.push_back(vector);
+        }
+    }
+}
+
+
+
+template <int dim>
 unsigned int
 ContactBasis<dim>::vector_of_hat(const unsigned int hat,
                                  const Wall wall,
                                  const Component component) const
 {
   return first_vector_of_hat(hat) +
-         (wall == Wall::plus ? n_vectors_of_hat() / 2 : 0) +
+         (wall == Wall::plus && !all_hats[hat].outer ? n_vectors_of_wall()
+                                                     : 0) +
          static_cast<unsigned int>(component);
 }
 
@@ -285,7 +328,10 @@ template <int dim>
 unsigned int
 ContactBasis<dim>::first_vector_of_hat(const unsigned int hat) const
 {
-  return n_vectors_of_hat() * hat;
+  if (!has_flanks())
+    return hat;
+  // On the cut a hat is of two walls.
+  return n_vectors_of_wall() * (hat + std::min(hat, n_hats_on_cut));
 }
 
 

@@ -63,10 +63,11 @@ ContactPath<dim>::flank_condition(const unsigned int h, const Wall wall) const
   condition.measured = {{{outward, 1.}, {along, tilt}, {along, 0.}}};
   condition.exerted  = {
      {{outward, 1 - mu * tilt}, {along, tilt + mu}, {aside, rubbed}}};
-  condition.area   = hat.area;
-  condition.across = wall == Wall::plus ? -hat.across : hat.across;
+  condition.area      = hat.area;
+  condition.across    = wall == Wall::plus ? -hat.across : hat.across;
+  const double offset = hat.outer ? hat.outer->offset : 0.;
   condition.constant =
-    hat.area * (half_thickness - slope * (begin + hat.depth));
+    hat.area * (half_thickness - slope * (begin + hat.depth) - offset);
   condition.per_travel  = hat.area * slope;
   condition.force       = hat.area * (slope + mu);
   condition.unfelt      = hat.area * (slope - tilt);
@@ -169,18 +170,35 @@ ContactPath<dim>::edge_condition(const unsigned int node) const
 
 
 template <int dim>
+bool
+ContactPath<dim>::can_move(const unsigned int h) const
+{
+  for (unsigned int v = basis.first_vector_of_hat(h);
+       v < basis.first_vector_of_hat(h + 1);
+       ++v)
+    if (products(place_of[v], place_of[v]) > 0)
+      return true;
+  return false;
+}
+
+
+
+template <int dim>
 void
 ContactPath<dim>::make_conditions()
 {
   conditions.clear();
   for (unsigned int h = 0; h < basis.hats().size(); ++h)
     {
-      if (basis.hats()[h].row >= row)
+      const auto &hat = basis.hats()[h];
+      if (!hat.is_there(row) || (hat.outer && !can_move(h)))
         continue;
-      bool may_meet = true;
+      bool may_meet = !hat.outer;
       if (!profile.facets.empty())
         for (const Wall wall : {Wall::minus, Wall::plus})
           {
+            if (!hat.is_of(wall))
+              continue;
             conditions.push_back(flank_condition(h, wall));
             if (slips[place_of_wall(h, wall)].way == 0)
               conditions.push_back(stick_condition(h, wall));

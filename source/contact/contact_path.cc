@@ -38,9 +38,11 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
     vector_at.push_back(vector);
   };
   for (unsigned int h = 0; h < basis.hats().size(); ++h)
-    if (basis.hats()[h].row < row + n_ahead)
-      for (unsigned int i = 0; i < basis.n_vectors_of_hat(); ++i)
-        use(basis.first_vector_of_hat(h) + i);
+    if (basis.hats()[h].is_there(row + n_ahead))
+      for (unsigned int v = basis.first_vector_of_hat(h);
+           v < basis.first_vector_of_hat(h + 1);
+           ++v)
+        use(v);
   for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
     if (basis.edge_nodes()[n].row == row)
       use(basis.vector_of_edge_node(n));

@@ -98,6 +98,7 @@ CutBody<dim>::begin_cut(const Cut<dim> &cut)
   split_mesh_to_come = split_mesh(present_mesh, surface);
   begun_cuts.push_back({&cut, surface});
   areas.clear();
+  present_entry_hats.clear();
   n_split_rows = 0;
   is_finished  = false;
   cells_at_seam.reset();
@@ -178,6 +179,7 @@ CutBody<dim>::make_surgery()
                    find_pieces(present_mesh, element_labels.piece),
                    the_scene.supports,
                    the_scene.board.faces);
+  present_entry_hats = find_entry_hats();
   return uncut;
 }
 

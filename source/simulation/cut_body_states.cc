@@ -3,7 +3,10 @@
 #include <setsudan/simulation/cut_body.h>
 #include <setsudan/solver/condensed/condensed_solver.h>
 
-// The constraints of a body's states, and the solvers under them.
+#include <algorithm>
+
+// The constraints of a body's states, where a blade may touch it, and the
+// solvers under them.
 
 namespace Setsudan
 {
@@ -108,6 +111,29 @@ CutBody<dim>::expect_single_states()
 
 
 template <int dim>
+std::vector<EntryHat<dim>>
+CutBody<dim>::find_entry_hats() const
+{
+  if (!the_scene.blade.travels)
+    return {};
+  const auto is_there = [&](const unsigned int element) {
+    return !severed.drops ||
+           std::none_of(severed.floating().begin(),
+                        severed.floating().end(),
+                        [&](const FloatingPiece &piece) {
+                          return piece.piece == element_labels.piece[element];
+                        });
+  };
+  return Setsudan::entry_hats(*present_model,
+                              the_scene.body.mesh,
+                              *newest_seam,
+                              cut().edge,
+                              the_scene.blade.profile,
+                              is_there);
+}
+
+
+template <int dim>
 std::optional<CutStages>
 CutBody<dim>::stages() const
 {
@@ -126,6 +152,7 @@ CutBody<dim>::stages() const
                                     : IndexSet(n_unknowns);
     if (present_board)
       unknowns.add_indices(present_board->unknowns(n_unknowns));
+    unknowns.add_indices(unknowns_of(present_entry_hats, n_unknowns));
     // Walls of earlier cuts may meet where a blade presses by contact.
     if (the_scene.has_contact())
       for (const auto &pairs : finished_pairs)
@@ -263,6 +290,7 @@ CutBody<dim>::condensed_solver()
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver_without(       \
     const unsigned int);                                                      \
   template bool CutBody<dim>::holds_all_after(const unsigned int) const;      \
+  template std::vector<EntryHat<dim>> CutBody<dim>::find_entry_hats() const;  \
   template std::shared_ptr<CondensedSolver<dim>>                              \
   CutBody<dim>::condensed_solver();                                           \
   template std::shared_ptr<CondensedSolver<dim>>                              \

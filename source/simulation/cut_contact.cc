@@ -115,7 +115,8 @@ CutContact<dim>::make_basis(CutBody<dim> &body, const BladeProfile &profile)
            !profile.facets.empty(),
            body.scene().blade.travels},
           body.earlier_cuts(),
-          body.board()};
+          body.board(),
+          body.entry_hats()};
 }
 
 
@@ -316,6 +317,33 @@ CutContact<dim>::nodal_forces(
 
 
 template <int dim>
+void
+CutContact<dim>::add_outer_forces(std::vector<double> &of_vectors,
+                                  BladeLoad<dim> &blade) const
+{
+  for (unsigned int h = 0; h < basis.hats().size(); ++h)
+    {
+      const auto &outer = basis.hats()[h].outer;
+      if (!outer)
+        continue;
+      Tensor<1, dim> force;
+      for (unsigned int v = basis.first_vector_of_hat(h);
+           v < basis.first_vector_of_hat(h + 1);
+           ++v)
+        {
+          // Components follow each other in all vectors.
+          for (unsigned int i = 0; i < basis.vectors()[v].size(); ++i)
+            force[i % dim] += basis.vectors()[v][i].second * of_vectors[v];
+          of_vectors[v] = 0;
+        }
+      if (force.norm() > 0)
+        blade.forces.push_back({outer->hat.center, force});
+    }
+}
+
+
+
+template <int dim>
 BladeLoad<dim>
 CutContact<dim>::blade_load(const ContactPath<dim> &path,
                             const unsigned int row,
@@ -325,10 +353,13 @@ CutContact<dim>::blade_load(const ContactPath<dim> &path,
   if (!body.has_cut())
     return blade;
   // Behind the last row the blade stays with it.
-  blade.row = std::min<unsigned int>(row, body.seam().rows().size() - 1);
+  blade.row       = std::min<unsigned int>(row, body.seam().rows().size() - 1);
+  auto of_vectors = path.forces(travel);
+  blade.nodal_forces = nodal_forces(
+    on_unknowns(of_vectors, 0, basis.vector_of_board_corner(0, 0)));
+  add_outer_forces(of_vectors, blade);
   const auto forces =
-    on_unknowns(path.forces(travel), 0, basis.vector_of_board_corner(0, 0));
-  blade.nodal_forces = nodal_forces(forces);
+    on_unknowns(of_vectors, 0, basis.vector_of_board_corner(0, 0));
   for (const auto &pair : body.seam().pairs())
     for (const auto *side : {&pair.minus, &pair.plus})
       {

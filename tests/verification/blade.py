@@ -348,10 +348,46 @@ def stress_rows(options, _):
                   max(forces[1]), max(forces[0]), 1e-9)
 
 
+def block_rows(options, _):
+    """A wide wedge without friction that rests on a block's top, which does not split."""
+    lines = run_table(options, {
+        **material(5, .2), "Material/Toughness": 1e6, "Support/Fixed faces": "bottom",
+        "Body/Size": "10, 10, 10", "Body/Elements": "10, 10, 10", "Cut/Surfaces": "y:5",
+        "Yield/Criterion": "energy release", "Division/Release": "element row",
+        "Blade/Drive": "travel", "Blade/Travel": 1, "Blade/Sharpness": 0,
+        "Blade/Shape": "wedge", "Blade/Wedge angle": 120, "Blade/Thickness": 4})
+    line = lines[-1]
+    mesh = "120 degrees, 10 x 10 x 10"
+    force = number(line, "blade_force")
+    yield Row("force", mesh, 19.69, force, .015)
+    yield Row("reaction over force", mesh, force, number(line, "reaction_z"), 1e-10)
+    yield Row("1 + reaction across the cut over force", mesh, 1,
+              1 + number(line, "reaction_y") / force, 1e-10)
+    yield Row("energy that is stored over work", mesh, number(line, "work"),
+              number(line, "strain_energy"), 1e-9)
+
+
+def half_plane_rows(options, _):
+    """A blunt wedge without friction on a block that is much larger than its contact.
+    The width is known up to an element: its mean over many travels is."""
+    slope, n_stops = math.tan(math.radians(5)), 15
+    lines = run_table(options, {
+        **PLANE, "Body/Size": "60, 30", "Body/Elements": "160, 80", "Cut/Surfaces": "x:80",
+        "Material/Toughness": 1e6, "Blade/Shape": "wedge", "Blade/Wedge angle": 170,
+        "Blade/Thickness": 30,
+        "Blade/Travel": ", ".join(str(.3 + .03 * i) for i in range(n_stops))})
+    stops = [line for line in lines if line["event"] == "travel"]
+    pressures = [number(line, "blade_force") / number(line, "contact_area")
+                 for line in stops]
+    yield Row("mean pressure over E' cot α / 2, α = 85°", "160 x 80",
+              slope / (1 - .3 ** 2) / 2, sum(pressures) / n_stops, .03)
+
+
 def rows(options, long):
-    for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows,
-                    height_rows, blunt_rows, cantilever_rows,
-                    slab_rows, slicing_rows, rate_rows, tip_rows, withdrawal_rows, stress_rows):
+    for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows, height_rows,
+                    blunt_rows, cantilever_rows, slab_rows, slicing_rows, rate_rows,
+                    tip_rows, withdrawal_rows, stress_rows, block_rows,
+                    half_plane_rows):
         yield from of_kind(options, long)
 
 
@@ -361,4 +397,6 @@ CASE = Case(
     "block with 8-node quadrilaterals; of the wedge between two arms, beam theory, "
     "a + 0.673 h = (9 E' I (T/2)² / R)^¼ from the shoulder to the front and "
     "F = R + 2 μ N, N = 3 E' I (T/2) / (a + 0.673 h)³; of a wedge at the tips of two "
-    "arms, stored energy 3 E' I (t p)² / (a + 0.673 h)³ and F/N = tan(α/2 ± φ)", rows)
+    "arms, stored energy 3 E' I (t p)² / (a + 0.673 h)³ and F/N = tan(α/2 ± φ); of a wedge on a "
+    "block, linear contact of the same mesh with GetFEM 5.4.2; of one on a half plane, "
+    "P = E' a cot α (Johnson, Contact Mechanics, section 5.2)", rows)

@@ -4,10 +4,12 @@
 #include <setsudan/blade/blade_edge.h>
 #include <setsudan/blade/sliding_blade.h>
 #include <setsudan/contact/board.h>
+#include <setsudan/contact/entry_hats.h>
 #include <setsudan/cut/seam/seam.h>
 #include <setsudan/cut/surface/cut_surface.h>
 #include <setsudan/solver/condensed/unknown_forces.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,10 +48,16 @@ public:
   /** Pairs and their weights. */
   using NodeWeights = std::vector<std::pair<unsigned int, double>>;
 
-  /** A corner of the cut, on which a hat stands. */
+  enum class Wall
+  {
+    minus,
+    plus
+  };
+
+  /** A corner of the cut, on which a hat stands, or one of an outer face at its
+   * entry. */
   struct Hat
   {
-    unsigned int pair;
     /** The row that it belongs to: it is there when that is split. */
     unsigned int row;
     /** The integral of the hat, and the mean depth over it: how far behind the
@@ -60,6 +68,22 @@ public:
     double across;
     /** The pairs on the faces around it, and their weights. */
     NodeWeights weights;
+    /** Of an outer face, where it is and what it is on; nothing on the cut. */
+    std::optional<EntryHat<dim>> outer = {};
+
+    /** Whether a wall has it: on an outer face there is one wall. */
+    bool
+    is_of(const Wall wall) const
+    {
+      return !outer || outer->is_plus == (wall == Wall::plus);
+    }
+
+    /** Whether it is there while the first rows are split. */
+    bool
+    is_there(const unsigned int n_split) const
+    {
+      return outer || row < n_split;
+    }
   };
 
   /** What a vector of a hat measures on one of the two walls. */
@@ -72,12 +96,6 @@ public:
     /** That along its edge, where it slices. */
     aside
   };
-  enum class Wall
-  {
-    minus,
-    plus
-  };
-
   /** A node of the front of a row, on which the edge may rest. */
   struct EdgeNode
   {
@@ -91,14 +109,16 @@ public:
    *
    * @param surface the faces of the cut.
    * @param earlier the cuts before it, whose walls may meet.
-   * @param board null if there is none; it must live as long. */
+   * @param board null if there is none; it must live as long.
+   * @param outer hats on outer faces, for a blade with flanks. */
   ContactBasis(const ElasticModel<dim> &model,
                const CutSurface<dim> &surface,
                const Seam<dim> &seam,
                const BladeEdge<dim> &edge,
                const TouchingBlade &blade,
                const std::vector<CutFaces<dim>> &earlier,
-               const BoardContacts<dim> *board);
+               const BoardContacts<dim> *board,
+               const std::vector<EntryHat<dim>> &outer = {});
 
   /** Of a body without a cut, on a board. */
   ContactBasis(const MPI_Comm communicator, const BoardContacts<dim> &board);
@@ -146,14 +166,10 @@ public:
   unsigned int
   vector_of_edge_node(const unsigned int node) const;
 
-  /** The vectors of a hat are these and as many that follow. */
+  /** The vectors of a hat are these up to those of the next one; those of outer
+   * faces are the last ones. */
   unsigned int
   first_vector_of_hat(const unsigned int hat) const;
-  unsigned int
-  n_vectors_of_hat() const
-  {
-    return !has_flanks() ? 1 : blade.sliding.rubs_aside() ? 6 : 4;
-  }
 
   /** The vectors of the corners of earlier cuts, each of which measures how far
    * the walls are apart there, are so many from the first one on. */
@@ -203,8 +219,23 @@ public:
   }
 
 private:
+  /** The hats on the cut. */
+  void
+  make_hats(const ElasticModel<dim> &model,
+            const CutSurface<dim> &surface,
+            const Seam<dim> &seam,
+            const BladeEdge<dim> &edge);
+
+  unsigned int
+  n_vectors_of_wall() const
+  {
+    return blade.sliding.rubs_aside() ? 3 : 2;
+  }
   void
   make_flank_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
+  void
+  add_outer_hats(const std::vector<EntryHat<dim>> &outer,
+                 const BladeEdge<dim> &edge);
   void
   make_edge_vectors(const Seam<dim> &seam, const BladeEdge<dim> &edge);
 
@@ -223,6 +254,7 @@ private:
   const BoardContacts<dim> *const the_board;
 
   std::vector<Hat> all_hats;
+  unsigned int n_hats_on_cut = 0;
   std::vector<EdgeNode> all_edge_nodes;
   std::vector<UnknownForces> all_vectors;
   std::vector<double> areas_of_earlier_corners;

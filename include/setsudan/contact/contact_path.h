@@ -54,13 +54,18 @@ struct BoardGrip
  *
  *   edge on a node of the front  d.u - (p - z) >= 0
  *   flank on a hat of a wall     o.u + t d.u - A (h + t (p - z - s)) >= 0
+ *   flank on a hat of an outer face
+ *                                o.u + t d.u - A (h + t (p - z - s) - x) >= 0
  *   wall on wall                 o.u- + o.u+ >= 0
  *
  *   body on the board         n.u + A g >= 0
  *
  * where d.u is the displacement along the blade's direction and o.u that out of
  * the cut, both weighted with the hat, A the hat's integral and z its depth,
- * and the facet begins s behind the edge with half thickness h and slope t.
+ * and the facet begins s behind the edge with half thickness h and slope t. An
+ * outer face at the entry is at the mean distance x from the cut's plane, and
+ * meets the flank as the wall on its side does, before the first row splits
+ * too.
  *
  * A blade that presses across the cut only has d.u left out of the flanks'
  * conditions, and their pressure exerts (1, mu). Its force is the same, t + mu:
@@ -391,6 +396,10 @@ private:
   /** End the piece where a corner begins to slip. */
   void
   end_at_slip(const double travel);
+
+  /** Whether a hat is not supported. */
+  bool
+  can_move(const unsigned int hat) const;
 
   /** Make the conditions for the facets as they are. */
   void

@@ -134,6 +134,14 @@ public:
   std::vector<CutFaces<dim>>
   earlier_cuts() const;
 
+  /** Of a cut whose nodes are split and a blade that travels, the outer faces
+   * at its entry that the blade may touch. */
+  const std::vector<EntryHat<dim>> &
+  entry_hats() const
+  {
+    return present_entry_hats;
+  }
+
   /** The board on which the body lies; null where there is none. */
   const BoardContacts<dim> *
   board() const
@@ -271,6 +279,10 @@ private:
   std::unique_ptr<ElasticModel<dim>>
   make_surgery();
 
+  /** Of what has not been dropped. */
+  std::vector<EntryHat<dim>>
+  find_entry_hats() const;
+
   /** The rows of the newest cut. */
   std::vector<Row>
   find_rows(const SurfaceNodes<dim> &nodes);
@@ -304,6 +316,7 @@ private:
   CoarseMesh<dim> present_mesh;
   std::unique_ptr<ElasticModel<dim>> present_model;
   std::unique_ptr<BoardContacts<dim>> present_board;
+  std::vector<EntryHat<dim>> present_entry_hats;
   SolverSelection<dim> selection;
   bool has_single_states = false;
 

@@ -86,6 +86,11 @@ private:
   blade_load(const ContactPath<dim> &path,
              const unsigned int row,
              const double travel) const;
+  /** Take the forces on outer faces out of those on vectors, as forces at the
+   * middle of each hat. */
+  void
+  add_outer_forces(std::vector<double> &of_vectors,
+                   BladeLoad<dim> &blade) const;
   std::optional<BoardLoad<dim>>
   board_load(const ContactPath<dim> &path, const double travel) const;
 
