@@ -11,7 +11,7 @@ using namespace dealii;
 
 template <int dim>
 bool
-ContactPath<dim>::Condition::is_same(const Condition &other) const
+ContactCondition<dim>::is_same(const ContactCondition &other) const
 {
   return kind == other.kind && place == other.place &&
          (!is_of_flank() || wall == other.wall) && direction == other.direction;
@@ -315,15 +315,16 @@ ContactPath<dim>::remake_conditions()
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template bool ContactPath<dim>::Condition::is_same(const Condition &) const; \
-  template unsigned int ContactPath<dim>::place_of_hat(                        \
-    const unsigned int,                                                        \
-    const Wall,                                                                \
-    const typename ContactBasis<dim>::Component) const;                        \
-  template typename ContactPath<dim>::Condition                                \
-  ContactPath<dim>::stick_condition(const unsigned int, const Wall) const;     \
-  template void ContactPath<dim>::make_conditions();                           \
+#define INSTANTIATE(dim)                                                   \
+  template bool ContactCondition<dim>::is_same(const ContactCondition &)   \
+    const;                                                                 \
+  template unsigned int ContactPath<dim>::place_of_hat(                    \
+    const unsigned int,                                                    \
+    const Wall,                                                            \
+    const typename ContactBasis<dim>::Component) const;                    \
+  template typename ContactPath<dim>::Condition                            \
+  ContactPath<dim>::stick_condition(const unsigned int, const Wall) const; \
+  template void ContactPath<dim>::make_conditions();                       \
   template void ContactPath<dim>::remake_conditions();
 
 INSTANTIATE(2)
