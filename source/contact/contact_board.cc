@@ -316,8 +316,11 @@ ContactPath<dim>::update_grips(const double travel)
     {
       const unsigned int corner = conditions[i].place;
       if (conditions[i].kind != Kind::board ||
-          grips_of(i).first == grips_of(i).second ||
-          n_changes[corner] == most_changes)
+          grips_of(i).first == grips_of(i).second)
+        continue;
+      // In the end it may slip, but no more than Coulomb's friction holds it.
+      const bool sticks = piece.active[i] && piece.active[grips_of(i).first];
+      if (n_changes[corner] >= most_changes && !sticks)
         continue;
       bool changes = false;
       if (piece.active[i])

@@ -9,8 +9,8 @@ import sys
 
 from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
 from program_cases import wrong_text, wrong_value
-from wrong_values import TRAVEL, WEDGED, WRONG_IN_SPACE, WRONG_SLICE, WRONG_TRAVEL, WRONG_VALUES
-from wrong_values import WRONG_WEDGED
+from wrong_values import ON_BOARD, TRAVEL, WEDGED, WRONG_BOARD, WRONG_IN_SPACE
+from wrong_values import WRONG_SLICE, WRONG_TRAVEL, WRONG_VALUES, WRONG_WEDGED
 
 GOOD_TEXT, LINES = scene_text(SCENE)
 N_LINES = len(GOOD_TEXT.splitlines())
@@ -160,6 +160,11 @@ def travel():
     )
 
 
+def board():
+    for path, value, allowed, *also in WRONG_BOARD:
+        yield wrong_value(path, value, allowed, {**SCENE, **ON_BOARD}, *also)
+
+
 def cases(group):
     for dimension, base in ((3, SCENE), (2, PLANE_SCENE)):
         for path, value, allowed, *also in WRONG_VALUES.get((group, dimension), []):
@@ -171,6 +176,7 @@ def cases(group):
         "support": support,
         "output": output,
         "travel": travel,
+        "board": board,
     }
     yield from special.get(group, lambda: [])()
 

@@ -266,6 +266,27 @@ WRONG_VALUES = {
     ],
 }
 
+# A board below a body that lies on it, here one of 10 x 10 x 10.
+ON_BOARD = {"Support/Fixed faces": "", "Cut/Surfaces": "", "Blade/Edge loads": "",
+            "Board/Plane": "0, 0, 0; 0, 0, 1"}
+SIX_NUMBERS = "a point and a normal that is not 0, as '0,0,0; 0,0,1'"
+WRONG_BOARD = [
+    *[("Board/Plane", plane, SIX_NUMBERS)
+      for plane in ("0, 0, 0", "0, 0, 0; 0, 0", "0, 0, 0; 0, 0, 1, 0", "0, 0; 0, 0, 1",
+                    "0, 0, 0; 0, 0, up", "0, 0, 0; 0, 0, 0", "below",
+                    "0, 0, 0; 0, 0, 1; 0, 0, 1")],
+    ("Board/Plane", "0, 0, 1; 0, 0, 1", "which reaches 1 beyond this one"),
+    ("Board/Plane", "0, 0, 0; 0, 0, -1", "which reaches 10 beyond this one"),
+    ("Board/Plane", "0, 0, -2; 0, 0, 3", "which is 2 above this one"),
+    ("Board/Friction", "-0.1", PATTERN),
+    ("Board/Friction", "0", "more than 0 where no support holds the body"),
+    ("Board/Plane", "", "a point and a normal where Board/Friction is given",
+     {"Board/Friction": "0.5", "Support/Fixed faces": "bottom"}),
+    ("Accuracy/Target", "0.1", "0 on a board"),
+    ("Board/Plane", "0, 0, 0; 0, 0, 1", "nothing where a body is cut with Blade/Drive",
+     {"Cut/Surfaces": "y:1", "Blade/Edge loads": "0:10"}),
+]
+
 # A blade that travels, and what it cannot go with.
 TRAVEL = {
     "Blade/Drive": "travel", "Blade/Shape": "wedge", "Blade/Edge loads": "",

@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A board against what it must be the same as: it carries the weight and the
+blade's force in all states of a cut; under a block that is pressed down it has the
+force of another program.
+"""
+
+import pathlib
+import sys
+import tempfile
+
+import program
+import tables
+
+WEIGHT = 60 * 40 * 0.01
+WEDGE = ("Blade/Shape=wedge", "Blade/Wedge angle=20", "Blade/Thickness=2",
+         "Blade/Shoulder radius=4", "Blade/Friction=0.1")
+# GetFEM, linear elasticity, contact as an integral over the bottom.
+FORCE_OF_GETFEM = 50.657
+
+
+def balance(run):
+    """The board carries the block and what the blade presses."""
+    for name, settings in (("thin blade", ()), ("wedge", WEDGE)):
+        lines = run("board_cut", *settings)[1:]
+        error = max(abs(float(line["board_force"]) - WEIGHT - float(line["blade_force"]))
+                    for line in lines) / WEIGHT
+        yield f"weight and {name}", error <= 1e-8, error
+        last = lines[-1]
+        yield f"weight of both pieces, {name}", last["pieces"] == "2" and abs(
+            float(last["board_force"]) / WEIGHT - 1) <= 1e-8, float(last["board_force"])
+        largest = max(float(line["blade_force"]) for line in lines)
+        yield f"with a force of the {name}", largest > WEIGHT, largest
+
+
+def block(run):
+    """A block that slides on the board while it is pressed down."""
+    last = run("board_plane", "Body/Elements=10,10,10")[-1]
+    error = abs(float(last["board_force"]) / FORCE_OF_GETFEM - 1)
+    yield "force of another program", error <= 1e-3, error
+    error = abs(float(last["board_force"]) + float(last["clamp_z"]))
+    yield "support and board", error <= 1e-8, error
+
+
+def main():
+    parser = program.parser(__doc__)
+    parser.add_argument("--scenes", required=True)
+    options = parser.parse_args()
+    failed = False
+    with tempfile.TemporaryDirectory() as directory:
+        def run(scene, *settings):
+            program.run(options, pathlib.Path(options.scenes) / f"{scene}.prm", directory,
+                        (*program.QUIET, *settings))
+            return tables.read(pathlib.Path(directory) / "statistics.csv")
+        for check in (balance, block):
+            for what, holds, value in check(run):
+                print(f"{'' if holds else 'FAILED: '}{what}: {value:.3g}")
+                failed = failed or not holds
+    sys.exit(1 if failed else 0)
+
+
+main()
