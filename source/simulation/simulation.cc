@@ -5,7 +5,6 @@
 #include <setsudan/simulation/accuracy/choose_refinement.h>
 #include <setsudan/simulation/accuracy/state_error.h>
 #include <setsudan/simulation/checks.h>
-#include <setsudan/simulation/cut_contact.h>
 #include <setsudan/simulation/messages.h>
 #include <setsudan/simulation/simulation.h>
 
@@ -146,57 +145,6 @@ Simulation<dim>::make_cut_from(const unsigned int first_row)
     }
   finish_cut();
   return true;
-}
-
-
-
-template <int dim>
-void
-Simulation<dim>::rest()
-{
-  state                 = rest_state(body);
-  event.required_stress = scene.criterion->smallest_requirement();
-  if (scene.accuracy.estimate)
-    event.errors = std::array<double, 2>{{0., 0.}};
-  if (scene.blade.travels)
-    event.motion = BladeMotion();
-  if (body.board())
-    event.board_force = 0;
-  results.record("rest", event);
-  results.write_state(body, state, event, true);
-}
-
-
-
-template <int dim>
-void
-Simulation<dim>::lie()
-{
-  const auto lying = [&] {
-    const TimerOutput::Scope section(timer, "solve");
-    return state_on_board(body, state);
-  };
-  accept(lying());
-  results.record("deform", event);
-  results.write_state(body, state, event, true);
-}
-
-
-
-template <int dim>
-void
-Simulation<dim>::deform_only()
-{
-  if (!scene.blade.edge_loads.front().empty())
-    results.progress.warn(
-      "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
-      "the blade is left out.");
-  // On a board it has been deformed already.
-  if (body.board())
-    return;
-  accept(solve(no_blade(body.model()), 0));
-  results.record("deform", event);
-  results.write_state(body, state, event, true);
 }
 
 

@@ -7,6 +7,7 @@
 #include <setsudan/parameters/parameters.h>
 #include <setsudan/solver/condensed/unknown_forces.h>
 
+#include <array>
 #include <vector>
 
 namespace Setsudan

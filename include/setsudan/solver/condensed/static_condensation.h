@@ -5,6 +5,7 @@
 #include <setsudan/solver/linear/cholesky_factor.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace Setsudan

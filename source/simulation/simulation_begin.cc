@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/simulation/cut_contact.h>
+#include <setsudan/simulation/simulation.h>
+
+// The states before the first cut.
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+void
+Simulation<dim>::rest()
+{
+  state                 = rest_state(body);
+  event.required_stress = scene.criterion->smallest_requirement();
+  if (scene.accuracy.estimate)
+    event.errors = std::array<double, 2>{{0., 0.}};
+  if (scene.blade.travels)
+    event.motion = BladeMotion();
+  if (body.board())
+    event.board_force = 0;
+  results.record("rest", event);
+  results.write_state(body, state, event, true);
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::lie()
+{
+  const auto lying = [&] {
+    const TimerOutput::Scope section(timer, "solve");
+    return state_on_board(body, state);
+  };
+  accept(lying());
+  results.record("deform", event);
+  results.write_state(body, state, event, true);
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::deform_only()
+{
+  if (!scene.blade.edge_loads.front().empty())
+    results.progress.warn(
+      "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
+      "the blade is left out.");
+  // On a board it has been deformed already.
+  if (body.board())
+    return;
+  accept(solve(no_blade(body.model()), 0));
+  results.record("deform", event);
+  results.write_state(body, state, event, true);
+}
+
+
+
+#define INSTANTIATE(dim)                 \
+  template void Simulation<dim>::rest(); \
+  template void Simulation<dim>::lie();  \
+  template void Simulation<dim>::deform_only();
+
+INSTANTIATE(2)
+INSTANTIATE(3)
+
+#undef INSTANTIATE
+} // namespace Setsudan
