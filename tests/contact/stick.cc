@@ -52,7 +52,7 @@ struct Columns
             body.surface(),
             body.seam(),
             body.cut().edge,
-            sliding,
+            {sliding, true, true},
             {},
             nullptr)
     , products(products_of_columns(basis))
@@ -62,7 +62,9 @@ struct Columns
            body.seam().rows().size(),
            0,
            products,
-           std::vector<double>(basis.vectors().size(), 0.),
+           {{Vector<double>(basis.vectors().size()),
+             Vector<double>(basis.vectors().size())},
+            {}},
            1e-9)
   {
     profile.facets = {{-10., half_thickness, 0.}};
