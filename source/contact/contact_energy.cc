@@ -196,10 +196,6 @@ ContactPath<dim>::friction_work(const double begin, const double end) const
         (piece.multipliers(i, begin) + piece.multipliers(i, end)) / 2;
       if (condition.is_of_flank() && sliding.rubs())
         work += mean * taken(condition);
-      if (condition.kind == Kind::board)
-        work += mean * board_dissipation(condition,
-                                         place_on_board(condition.place, begin),
-                                         place_on_board(condition.place, end));
       // The edge slips along the front as far as it does not grip.
       if (condition.kind == Kind::edge)
         work +=
@@ -216,7 +212,6 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
 {
   using Component = typename ContactBasis<dim>::Component;
   Quadratic work;
-  add_board_friction_to(after, work);
   if (!sliding.rubs())
     return work;
   // How far a component of a wall moves as rows split, over the travel.

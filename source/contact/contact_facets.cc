@@ -104,7 +104,6 @@ ContactPath<dim>::find_end_of_facets(const double travel)
         {
           end_of_piece = p;
           ending_condition.reset();
-          slipping_condition.reset();
         }
     }
 }

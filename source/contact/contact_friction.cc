@@ -240,7 +240,6 @@ ContactPath<dim>::find_end_of_sticking(const double travel)
             continue;
           end_of_piece = p;
           ending_condition.reset();
-          slipping_condition.reset();
           ending_slip = {i - 1, sign};
         }
     }

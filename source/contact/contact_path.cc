@@ -31,7 +31,7 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   , smallest_step(smallest_step)
   , facets(2 * basis.hats().size(), 0)
   , slips(2 * basis.hats().size())
-  , grips(basis.n_board_corners())
+  , anchors(basis.n_board_corners())
 {
   const auto use = [&](const unsigned int vector) {
     place_of[vector] = vector_at.size();
@@ -92,11 +92,10 @@ ContactPath<dim>::settle(const double travel)
   constexpr unsigned int most_back = 20;
   // Friction that is not settled all at once is one by one.
   constexpr unsigned int most_at_once = 30;
-  const unsigned int most =
-    most_back + profile.facets.size() +
-    (has_turned ? most_at_once + 20 * slips.size() : 0) + 4 * grips.size();
+  const unsigned int most             = most_back + profile.facets.size() +
+                            (has_turned ? most_at_once + 20 * slips.size() : 0);
   bool on_facets = false;
-  n_changes.assign(grips.size(), 0);
+  has_stuck.assign(anchors.size(), false);
   for (unsigned int round = 0; round <= most; ++round)
     {
       take_piece(travel,
@@ -142,7 +141,6 @@ ContactPath<dim>::take_piece(
                                ? std::optional<unsigned int>()
                                : std::optional<unsigned int>(ends[0].condition);
   ending_slip.reset();
-  end_at_slip(travel);
   find_end_of_facets(travel);
   find_end_of_sticking(travel);
 }
@@ -159,16 +157,15 @@ ContactPath<dim>::begin(const BladeMotion &motion,
   std::vector<bool> touched(facets.size(), false);
   if (neighbour != nullptr)
     {
-      facets        = neighbour->facets;
-      heading       = neighbour->heading;
-      slips         = neighbour->slips;
-      has_turned    = neighbour->has_turned;
-      adhering      = neighbour->adhering;
-      touched       = neighbour->touching();
-      grips         = neighbour->grips;
-      places_before = neighbour->places_on_board(motion.travel);
-      conditions    = neighbour->conditions;
-      piece.active  = neighbour->piece.active;
+      facets       = neighbour->facets;
+      heading      = neighbour->heading;
+      slips        = neighbour->slips;
+      has_turned   = neighbour->has_turned;
+      adhering     = neighbour->adhering;
+      touched      = neighbour->touching();
+      anchors      = neighbour->anchors;
+      conditions   = neighbour->conditions;
+      piece.active = neighbour->piece.active;
       remake_conditions();
     }
   else
@@ -184,7 +181,7 @@ ContactPath<dim>::begin(const BladeMotion &motion,
             slips = earlier.slips;
           adhering = earlier.adhering;
         }
-      begin_grips(measured, earlier.board);
+      begin_anchors(measured, earlier.board);
       make_conditions();
       if (earlier.active.size() == conditions.size())
         piece.active = earlier.active;
@@ -242,7 +239,7 @@ ContactPath<dim>::change_condition(const unsigned int i,
   if (conditions[i].kind == Kind::board && piece.active[i] &&
       basis.board()->friction > 0)
     {
-      let_stick(i, places_before[conditions[i].place]);
+      update_grips(travel);
       remake_conditions();
     }
   take_piece(travel, [&] { return problem->piece(piece.active); });
@@ -276,15 +273,8 @@ ContactPath<dim>::cross_end()
   const double before = energy()(travel);
   const double beyond = travel + heading * smallest_step;
   const auto touched  = touching();
-  places_before       = places_on_board(travel);
-  n_changes.assign(grips.size(), 0);
-  if (slipping_condition)
-    {
-      let_slip(*slipping_condition, travel);
-      remake_conditions();
-      settle(travel);
-    }
-  else if (ending_condition)
+  has_stuck.assign(anchors.size(), false);
+  if (ending_condition)
     change_condition(*ending_condition, travel, beyond);
   else
     {

@@ -9,6 +9,7 @@
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/map.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace Setsudan
@@ -23,7 +24,8 @@ struct PartOfHat
 {
   using NodeIndices = typename Discretization<dim>::NodeIndices;
 
-  double area = 0;
+  unsigned int element = numbers::invalid_unsigned_int;
+  double area          = 0;
   /** The integral of position times hat. */
   Tensor<1, dim> moment;
   std::map<NodeIndices, double> weights;
@@ -31,6 +33,7 @@ struct PartOfHat
   void
   add(const PartOfHat &other)
   {
+    element = std::min(element, other.element);
     area += other.area;
     moment += other.moment;
     for (const auto &[node, weight] : other.weights)
@@ -41,7 +44,7 @@ struct PartOfHat
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &area &moment &weights;
+    archive &element &area &moment &weights;
   }
 };
 
@@ -83,7 +86,8 @@ public:
         if (GeometryInfo<dim>::unit_cell_vertex(v)[face / 2] != face % 2)
           continue;
         // The first nodes of a cell are its vertices.
-        auto &hat = parts[nodes[v]];
+        auto &hat   = parts[nodes[v]];
+        hat.element = std::min(hat.element, discretization.element(cell));
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (units[k][face / 2] == face % 2)
             {
@@ -177,6 +181,7 @@ face_hats(const ElasticModel<dim> &model, const std::vector<CellFace> &faces)
   for (const auto &[corner, part] :
        sum_over_processes<dim>(integrator.parts, discretization.communicator))
     hats.push_back({corner,
+                    part.element,
                     part.area,
                     Point<dim>(part.moment / part.area),
                     {part.weights.begin(), part.weights.end()}});

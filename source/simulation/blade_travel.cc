@@ -98,12 +98,10 @@ BladeTravel<dim>::follow(BladeMotion &motion, const double goal)
       move_to(travel, this->scene.blade, *path, motion);
       if (split || travel == goal)
         return split;
-      const bool crosses =
-        pushes ? path->end() <= travel : path->end() >= travel;
-      if (crosses)
+      if (pushes ? path->end() <= travel : path->end() >= travel)
         motion.excess_energy += path->cross_end();
       if (pushes)
-        search->cross(motion, crosses);
+        search->cross(travel);
     }
   throw SolverError(
     "The contact of the blade does not settle at a travel of " +

@@ -118,6 +118,7 @@ CutContact<dim>::board_load(const ContactPath<dim> &path,
                       of_board(path.foundation_forces(travel)),
                       {},
                       path.board_force()(travel)};
+  std::map<unsigned int, Tensor<1, dim>> of_piece;
   const auto &corners = body.board()->corners();
   for (unsigned int i = 0; i < corners.size(); ++i)
     {
@@ -127,6 +128,20 @@ CutContact<dim>::board_load(const ContactPath<dim> &path,
                  corners[i].hat.area * body.board()->directions()[d];
       if (force.norm() > 0)
         load.forces.push_back({corners[i].hat.center, force});
+      of_piece[body.labels().piece[corners[i].hat.element]] += force;
+    }
+  const auto &normal = body.board()->directions()[0];
+  for (const auto &[piece, force] : of_piece)
+    {
+      const double pressure = force * normal;
+      const double friction = (force - pressure * normal).norm();
+      const double part =
+        friction > 0 ? friction / (body.board()->friction * pressure) : 0.;
+      if (part > load.part_of_friction)
+        {
+          load.sliding_piece    = piece;
+          load.part_of_friction = part;
+        }
     }
   return load;
 }

@@ -54,6 +54,21 @@ warn_of_overlap(const Event &event,
   return message.str();
 }
 
+template <int dim>
+std::string
+warn_of_slide(const Event &event, const BoardLoad<dim> &board)
+{
+  std::ostringstream message;
+  message.precision(3);
+  message << "in frame " << event.frame << " piece " << board.sliding_piece
+          << " cannot stay on the board: what holds it there along the board "
+             "is "
+          << board.part_of_friction
+          << " times Coulomb's friction. It is held nevertheless. Set "
+             "Board/Friction larger, or hold the piece in subsection Support.";
+  return message.str();
+}
+
 std::string
 warn_of_pull(const Event &event, const std::string &force_unit)
 {
@@ -118,6 +133,9 @@ ResultsWriter<dim>::doubt(const Event &event,
   doubt_for(&Doubts::overlap,
             !has_contact && overlap.depth > 1e-6 * scene.body.mesh.extent(),
             [&] { return warn_of_overlap(event, overlap, scene.length_unit); });
+  doubt_for(&Doubts::slide,
+            state.board && state.board->part_of_friction > 1 + 1e-9,
+            [&] { return warn_of_slide(event, *state.board); });
   // A gap that is prescribed up to tied rows pulls a little between pushes.
   constexpr double large_part = 0.1;
   const double push           = event.opening_force + event.opening_pull;
@@ -159,6 +177,7 @@ ResultsWriter<dim>::describe_doubts() const
   add(doubts.strain, "strain beyond Material/Linear range");
   add(doubts.jacobian, "elements inside out");
   add(doubts.overlap, "walls of a cut through each other");
+  add(doubts.slide, "a piece held on the board beyond its friction");
   add(doubts.pull, "rows pulled together by the blade's thickness");
   add(doubts.round_off, "digits lost by the solver");
   return std::to_string(doubts.n_states) +

@@ -84,19 +84,11 @@ EnergySplitSearch<dim>::end() const
 
 template <int dim>
 void
-EnergySplitSearch<dim>::cross(const BladeMotion &motion,
-                              const bool path_has_crossed)
+EnergySplitSearch<dim>::cross(const double travel)
 {
-  const ContactPath<dim> *neighbour = before;
   for (auto &trial : trials)
-    {
-      // What sticks on a board depends on how the body has come there.
-      if (path_has_crossed && before->depends_on_way())
-        trial.path->begin(motion, neighbour);
-      else if (trial.path->end() <= motion.travel)
-        trial.path->cross_end();
-      neighbour = trial.path.get();
-    }
+    if (trial.path->end() <= travel)
+      trial.path->cross_end();
 }
 
 

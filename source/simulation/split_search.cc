@@ -45,7 +45,7 @@ SplitSearch<dim>::end() const
 
 template <int dim>
 void
-SplitSearch<dim>::cross(const BladeMotion &, const bool)
+SplitSearch<dim>::cross(const double)
 {
 }
 

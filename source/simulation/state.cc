@@ -130,11 +130,19 @@ unbalanced_part(const CutBody<dim> &body,
   LA::Vector forces = body.model().loads;
   forces.add(state.load_factor, blade.nodal_forces);
   forces -= state.internal;
-  // A board may do to its nodes whatever it does.
+  // A board may do to its nodes what it does, and walls that touch to each
+  // other.
   if (body.board())
-    for (const auto unknown : body.board()->unknowns(forces.size()))
-      if (body.model().discretization.owned.is_element(unknown))
-        forces(unknown) = 0;
+    {
+      IndexSet touching = body.board()->unknowns(forces.size());
+      for (const auto &cut : body.earlier_cuts())
+        for (const auto &pair : cut.pairs)
+          for (const auto *side : {&pair.minus, &pair.plus})
+            touching.add_indices(side->begin(), side->end());
+      for (const auto unknown : touching)
+        if (body.model().discretization.owned.is_element(unknown))
+          forces(unknown) = 0;
+    }
   const double unbalanced = condense(body.constraints(), forces).l2_norm();
   double all              = state.internal.l2_norm();
   // Where nothing strains the body both are round-off of what it would resist

@@ -26,10 +26,9 @@ WedgedForce<dim>::ramp(BladeMotion &load)
       load.travel      = split ? split->travel : end;
       if (split || end == most)
         return split;
-      const bool crosses = path.end() <= end;
-      if (crosses)
+      if (path.end() <= end)
         this->path->cross_end();
-      this->search->cross(load, crosses);
+      this->search->cross(end);
     }
 }
 

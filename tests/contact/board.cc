@@ -136,9 +136,9 @@ test_punch()
 
 
 
-/** The block's friction while a side is moved by some distance. */
-double
-friction_of_pushed_block(const double distance)
+/** What the board does to a block of which a side is moved by some distance. */
+BoardLoad<2>
+board_under_pushed_block(const double distance)
 {
   const Scene<2> scene =
     make_scene<2>({{"Body", "Size", "4, 2", ""},
@@ -152,12 +152,7 @@ friction_of_pushed_block(const double distance)
                    {"Board", "Plane", "0,0; 0,1", ""},
                    {"Board", "Friction", "0.5", ""}});
   CutBody<2> body(scene, MPI_COMM_WORLD);
-  const State<2> state = state_on_board(body, rest_state(body));
-  double friction      = 0;
-  for (const auto &force : state.board->forces)
-    friction -= force.force[0];
-  check_below("  weight", std::abs(state.board->force - 0.08), 1e-10);
-  return friction;
+  return *state_on_board(body, rest_state(body)).board;
 }
 
 
@@ -165,16 +160,24 @@ friction_of_pushed_block(const double distance)
 void
 test_friction()
 {
+  constexpr double weight = 0.08, limit = 0.5 * weight;
   say("block that is pushed aside");
-  const double limit  = 0.5 * 0.08;
-  const double little = friction_of_pushed_block(1e-3),
-               twice  = friction_of_pushed_block(2e-3);
-  say(0 < little && little < twice && twice < limit ? "  friction rises"
-                                                    : "  FAILED");
-  for (const double distance : {0.02, 0.05})
-    check_below("  slips",
-                std::abs(friction_of_pushed_block(distance) / limit - 1),
-                1e-8);
+  double before = 0;
+  for (const double distance : {1e-3, 2e-3, 2e-2})
+    {
+      const auto board = board_under_pushed_block(distance);
+      double friction  = 0;
+      for (const auto &force : board.forces)
+        friction -= force.force[0];
+      check_below("  weight", std::abs(board.force - weight) / weight, 1e-8);
+      check_below("  part of Coulomb's friction",
+                  std::abs(board.part_of_friction - friction / limit),
+                  1e-8);
+      say(friction <= before ? "  FAILED"
+          : friction < limit ? "  rises, and stays"
+                             : "  rises, and would slide");
+      before = friction;
+    }
 }
 
 

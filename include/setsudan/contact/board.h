@@ -120,5 +120,9 @@ struct BoardLoad
   std::vector<PointForce<dim>> forces;
   /** Along its normal. */
   double force = 0;
+  /** The piece whose friction comes nearest to Coulomb's, as a whole, or
+   * exceeds it the most, and their ratio. */
+  unsigned int sliding_piece = 0;
+  double part_of_friction    = 0;
 };
 } // namespace Setsudan

@@ -18,22 +18,6 @@ struct UntouchedBody
   Quadratic energy;
 };
 
-/** How a corner of the body holds to a board while it is pressed on it. */
-template <int dim>
-struct BoardGrip
-{
-  /** Where it sticks: what its vectors along the board measure. */
-  std::array<double, dim - 1> anchor{};
-  /** The direction of the friction on it where it slips; 0 where it sticks. */
-  std::array<double, dim - 1> slip{};
-
-  bool
-  slips() const
-  {
-    return slip != std::array<double, dim - 1>();
-  }
-};
-
 /**
  * A condition of contact at the travel p: vectors of a basis, and what they
  * must not fall below, as far as the displacement is concerned. Its multiplier

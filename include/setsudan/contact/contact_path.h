@@ -62,14 +62,6 @@ public:
         const ContactPath *neighbour,
         const std::vector<double> &measured = {});
 
-  /** Whether there may be other contacts at the same travel if the body has
-   * come there in another way. */
-  bool
-  depends_on_way() const
-  {
-    return basis.board() && basis.board()->friction > 0;
-  }
-
   /** Follow smaller travels from here on, or larger ones again.
    *
    * @param heading 1 for larger ones, -1 for smaller ones.
@@ -152,7 +144,7 @@ public:
             heading,
             has_turned ? slips : std::vector<WallSlip>(),
             adhering,
-            state_of_grips()};
+            state_of_anchors()};
   }
 
   /** The area on which the flanks press. */
@@ -222,47 +214,22 @@ private:
 
   /** Their grips as a list of numbers, to go on from. */
   std::vector<double>
-  state_of_grips() const;
+  state_of_anchors() const;
 
   /** Take the grips of another path, or let the corners stick where vectors
    * are measured. */
   void
-  begin_grips(const std::vector<double> &measured,
-              const std::vector<double> &earlier);
+  begin_anchors(const std::vector<double> &measured,
+                const std::vector<double> &earlier);
 
-  /** By how much the square of the friction on a sticking corner is more than
-   * Coulomb's, over the travel. */
-  Quadratic
-  excess_friction(const unsigned int board_condition) const;
-
-  /** Let a corner slip as the friction on it is; whether there is any. */
-  bool
-  let_slip(const unsigned int board_condition, const double travel);
-
-  /** Let a corner stick at a place. */
-  void
-  let_stick(const unsigned int board_condition,
-            const std::array<double, dim - 1> &place);
-
-  /** Let corners slip that would take more than Coulomb's friction, and stick
-   * that have come to the board or would slip back from where they were;
-   * whether any did. */
+  /** Let corners stick where they have come to the board; whether any did. One
+   * that is torn off again where it sticks has no friction for now. */
   bool
   update_grips(const double travel);
-  bool
-  update_grip(const unsigned int board_condition, const double travel);
-
-  /** Where the corners on a board are at a travel. */
-  std::vector<std::array<double, dim - 1>>
-  places_on_board(const double travel) const;
 
   /** The conditions along the board at the corner of one, begin and end. */
   std::pair<unsigned int, unsigned int>
   grips_of(const unsigned int board_condition) const;
-
-  /** End the piece where a corner begins to slip. */
-  void
-  end_at_slip(const double travel);
 
   /** Whether a hat is not supported. */
   bool
@@ -403,10 +370,6 @@ private:
    * of another stage. */
   std::array<double, 2>
   moved_along_flank(const Condition &stick) const;
-  /** What friction on the board takes in friction_work_to(). */
-  void
-  add_board_friction_to(const ContactPath &after, Quadratic &work) const;
-
   /** Take the energy of the foundation out of that of the body. */
   void
   add_foundation_energy(Quadratic &energy) const;
@@ -416,13 +379,6 @@ private:
   std::vector<double>
   forces_on_vectors(const std::function<double(unsigned int)> &force,
                     const VectorSum Condition::*along) const;
-
-  /** The energy that friction takes for a multiplier of 1 while a corner goes
-   * from one place on the board to another. */
-  double
-  board_dissipation(const Condition &condition,
-                    const std::array<double, dim - 1> &begin,
-                    const std::array<double, dim - 1> &end) const;
 
   /** The energy that friction takes for a multiplier of 1 while the blade
    * travels and a wall moves along and aside. */
@@ -460,12 +416,11 @@ private:
   std::vector<bool> adhering;
   std::vector<std::pair<Condition, double>> adhesions;
   std::vector<double> moved_by_adhesion;
-  /** Of the corners on a board, and where these were when the contacts were
-   * looked for. */
-  std::vector<BoardGrip<dim>> grips;
-  std::vector<std::array<double, dim - 1>> places_before;
-  /** How often each has changed since then. */
-  std::vector<unsigned int> n_changes;
+  /** Where the corners on a board stick: what their vectors along it measure.
+   */
+  std::vector<std::array<double, dim - 1>> anchors;
+  /** The corners that have come to stick since contacts were looked for. */
+  std::vector<bool> has_stuck;
   std::vector<Condition> conditions;
   std::unique_ptr<Complementarity> problem;
   Complementarity::Piece piece;
@@ -474,7 +429,5 @@ private:
    * way, if it is no change of a facet. */
   std::optional<unsigned int> ending_condition;
   std::optional<std::pair<unsigned int, int>> ending_slip;
-  /** The condition of the corner that begins to slip there, if one does. */
-  std::optional<unsigned int> slipping_condition;
 };
 } // namespace Setsudan

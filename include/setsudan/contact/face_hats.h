@@ -27,6 +27,8 @@ struct FaceHat
 
   /** The unknowns of the corner. */
   NodeIndices corner;
+  /** An element that has it. */
+  unsigned int element = 0;
   /** The integral of the hat, and the mean position over it. */
   double area = 0;
   dealii::Point<dim> center;

@@ -36,7 +36,7 @@ public:
   end() const override;
 
   void
-  cross(const BladeMotion &motion, const bool path_has_crossed) override;
+  cross(const double travel) override;
 
   std::optional<Split>
   first_split(const BladeMotion &motion, const double end) override;

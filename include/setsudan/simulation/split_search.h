@@ -58,11 +58,9 @@ public:
   virtual double
   end() const;
 
-  /** Go on to those that hold beyond where the blade is.
-   *
-   * @param path_has_crossed whether the path's have changed there. */
+  /** Go on to those that hold beyond a travel. */
   virtual void
-  cross(const BladeMotion &motion, const bool path_has_crossed);
+  cross(const double travel);
 
   /** The first split from where the blade is up to a travel, with the contacts
    * that hold now. */

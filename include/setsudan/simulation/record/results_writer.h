@@ -29,6 +29,8 @@ struct Doubts
   unsigned int overlap = 0;
   /** Split rows that the blade's thickness pulls together. */
   unsigned int pull = 0;
+  /** Pieces whose friction on the board is more than Coulomb's. */
+  unsigned int slide = 0;
   /** Digits that the solver has lost. */
   unsigned int round_off = 0;
 };
