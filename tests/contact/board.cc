@@ -3,8 +3,8 @@
 // stress, whatever its elements, as on rollers: the foundation that carries it
 // while its contacts are looked for leaves no trace. A half-space under a flat
 // punch, which is a board below a part of it, has the pressure P / (pi sqrt(a^2
-// - x^2)). A block that is pushed along the board sticks until its friction is
-// Coulomb's coefficient times its weight.
+// - x^2)). Of a block that is pushed along the board it is said how much of
+// Coulomb's coefficient times its weight holds it.
 
 #include <setsudan/simulation/cut_contact.h>
 #include <setsudan/simulation/state.h>
