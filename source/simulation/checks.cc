@@ -90,7 +90,14 @@ checked_balance(const CutBody<dim> &body,
                  "residuals of force and moment are "
               << balance.force_residual << " and " << balance.moment_residual
               << " and must not exceed " << tolerance
-              << ". Lower Solver/Tolerance or set Solver/Method = direct; if "
+              << (state.board
+                    ? ". The body, or a piece of it, does not stay on "
+                      "the board: loads or blade lift it off, tip it "
+                      "over or push it aside where nothing but the "
+                      "board holds it. Hold it in subsection Support, "
+                      "or change Board/Plane. If it does stay, lower"
+                    : ". Lower")
+              << " Solver/Tolerance or set Solver/Method = direct; if "
                  "that does not help, round-off has taken the digits, since "
                  "the body is too slender or its stiffness too uneven.";
       throw InvariantError(message.str());

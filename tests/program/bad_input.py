@@ -163,6 +163,15 @@ def travel():
 def board():
     for path, value, allowed, *also in WRONG_BOARD:
         yield wrong_value(path, value, allowed, {**SCENE, **ON_BOARD}, *also)
+    # What the board cannot keep; results have begun by then.
+    for name, settings in (
+            ("a body that is lifted off its board", {"Load/Body force": "0, 0, 1"}),
+            ("a body that tips over on its board",
+             {"Load/Body force": "0, 0, -1", "Board/Plane": "0, 0, 0; 0, 1, 1"})):
+        yield Case(
+            name, ["scene.prm"],
+            {"scene.prm": scene_text({**SCENE, **ON_BOARD, **settings})[0]},
+            1, ["does not stay on the board", "Support"], checks=[lambda *_: []])
 
 
 def cases(group):
