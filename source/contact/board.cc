@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
 #include <setsudan/contact/board.h>
 #include <setsudan/mesh/face_index.h>
 #include <setsudan/mesh/geometry.h>
@@ -222,6 +224,42 @@ BoardContacts<dim>::unknowns(const types::global_dof_index n_unknowns) const
 
 
 
+template <int dim>
+double
+depth_beyond_board(const ElasticModel<dim> &model,
+                   const BoardParameters<dim> &board,
+                   const LA::Vector &displacement)
+{
+  const auto &discretization = model.discretization;
+  const LA::Vector known     = discretization.with_ghosts(displacement);
+  double depth               = 0;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      const auto nodes     = discretization.node_indices(cell);
+      const auto positions = discretization.node_positions(cell);
+      for (unsigned int n = 0; n < nodes.size(); ++n)
+        {
+          double distance = board.distance(positions[n]);
+          for (unsigned int c = 0; c < dim; ++c)
+            distance += known(nodes[n][c]) * board.normal[c];
+          depth = std::max(depth, -distance);
+        }
+    }
+  return Utilities::MPI::max(depth, discretization.communicator);
+}
+
+
+
+template double
+depth_beyond_board(const ElasticModel<2> &,
+                   const BoardParameters<2> &,
+                   const LA::Vector &);
+template double
+depth_beyond_board(const ElasticModel<3> &,
+                   const BoardParameters<3> &,
+                   const LA::Vector &);
 template struct BoardParameters<2>;
 template struct BoardParameters<3>;
 template class BoardContacts<2>;

@@ -156,8 +156,17 @@ CutContact<dim>::state(const ContactPath<dim> &path,
                        const LA::Vector &guess) const
 {
   if (!has_forces())
-    return solve_state(
-      body, blade_load(path, row, travel), 1, guess, board_load(path, travel));
+    {
+      State<dim> state = solve_state(body,
+                                     blade_load(path, row, travel),
+                                     1,
+                                     guess,
+                                     board_load(path, travel));
+      if (state.board)
+        state.board->passed = depth_beyond_board(
+          body.model(), body.scene().board, state.displacement);
+      return state;
+    }
   const State<dim> state =
     solve_state(body, pressing_blade(path, row, travel), travel, guess);
   check(path, state);

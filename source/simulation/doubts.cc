@@ -56,6 +56,22 @@ warn_of_overlap(const Event &event,
 
 template <int dim>
 std::string
+warn_of_passing(const Event &event,
+                const BoardLoad<dim> &board,
+                const std::string &length_unit)
+{
+  std::ostringstream message;
+  message.precision(3);
+  message << "in frame " << event.frame << " the body has passed the board by "
+          << board.passed << " " << length_unit
+          << ", with faces that were too far away to be expected there. Make "
+             "loads smaller, or shape the body so that these faces lie on the "
+             "board from the beginning.";
+  return message.str();
+}
+
+template <int dim>
+std::string
 warn_of_slide(const Event &event, const BoardLoad<dim> &board)
 {
   std::ostringstream message;
@@ -136,6 +152,12 @@ ResultsWriter<dim>::doubt(const Event &event,
   doubt_for(&Doubts::slide,
             state.board && state.board->part_of_friction > 1 + 1e-9,
             [&] { return warn_of_slide(event, *state.board); });
+  // Contact keeps the body above its board in the mean over a hat.
+  constexpr double far_beyond = 0.01;
+  doubt_for(
+    &Doubts::passed,
+    state.board && state.board->passed > far_beyond * scene.body.mesh.extent(),
+    [&] { return warn_of_passing(event, *state.board, scene.length_unit); });
   // A gap that is prescribed up to tied rows pulls a little between pushes.
   constexpr double large_part = 0.1;
   const double push           = event.opening_force + event.opening_pull;
@@ -178,6 +200,7 @@ ResultsWriter<dim>::describe_doubts() const
   add(doubts.jacobian, "elements inside out");
   add(doubts.overlap, "walls of a cut through each other");
   add(doubts.slide, "a piece held on the board beyond its friction");
+  add(doubts.passed, "nodes beyond the board");
   add(doubts.pull, "rows pulled together by the blade's thickness");
   add(doubts.round_off, "digits lost by the solver");
   return std::to_string(doubts.n_states) +

@@ -2,6 +2,8 @@
 #include <setsudan/simulation/cut_contact.h>
 #include <setsudan/simulation/simulation.h>
 
+#include <string>
+
 // The states before the first cut.
 
 namespace Setsudan
@@ -34,6 +36,9 @@ Simulation<dim>::lie()
     const TimerOutput::Scope section(timer, "solve");
     return state_on_board(body, state);
   };
+  results.progress.info(
+    "Board: " + std::to_string(body.board()->corners().size()) +
+    " corners of element faces may lie on it.");
   accept(lying());
   results.record("deform", event);
   results.write_state(body, state, event, true);

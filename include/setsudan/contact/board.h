@@ -124,5 +124,18 @@ struct BoardLoad
    * exceeds it the most, and their ratio. */
   unsigned int sliding_piece = 0;
   double part_of_friction    = 0;
+  /** How far a node has passed the board. */
+  double passed = 0;
 };
+
+/** How far a node of a deformed body has passed a board: not at all in the mean
+ * over a hat, but single nodes may, and faces that were not expected to come
+ * to it. Called by all processes.
+ *
+ * @param displacement without ghosts. */
+template <int dim>
+double
+depth_beyond_board(const ElasticModel<dim> &model,
+                   const BoardParameters<dim> &board,
+                   const LA::Vector &displacement);
 } // namespace Setsudan

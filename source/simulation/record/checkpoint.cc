@@ -25,7 +25,7 @@ void
 serialize(Archive &archive, Doubts &doubts, const unsigned int)
 {
   archive &doubts.n_states &doubts.strain &doubts.jacobian &doubts
-    .overlap &doubts.pull &doubts.slide &doubts.round_off;
+    .overlap &doubts.pull &doubts.slide &doubts.passed &doubts.round_off;
 }
 
 

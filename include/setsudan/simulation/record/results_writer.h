@@ -31,6 +31,8 @@ struct Doubts
   unsigned int pull = 0;
   /** Pieces whose friction on the board is more than Coulomb's. */
   unsigned int slide = 0;
+  /** Nodes beyond the board. */
+  unsigned int passed = 0;
   /** Digits that the solver has lost. */
   unsigned int round_off = 0;
 };
