@@ -21,6 +21,8 @@ namespace
  * the body's height above it. */
 constexpr double reach = 0.05;
 
+constexpr double default_friction = 0.5;
+
 /** What is nearer to the board than this part of the body's extent lies on it.
  */
 constexpr double touch = 1e-6;
@@ -55,7 +57,7 @@ BoardParameters<dim>::declare(ParameterHandler &handler)
   Setsudan::declare(handler,
                     "Board",
                     "Friction",
-                    "0.5",
+                    short_text(default_friction),
                     Patterns::Double(0),
                     "Coulomb's coefficient between board and body.");
 }
@@ -68,7 +70,8 @@ BoardParameters<dim>::BoardParameters(const Parameters &parameters,
   : is_given(!parameters.text("Board", "Plane").empty())
   , friction(parameters.number("Board", "Friction"))
 {
-  parameters.require(is_given || !parameters.is_given("Board", "Friction"),
+  // A run's own parameters name it with its default.
+  parameters.require(is_given || friction == default_friction,
                      "Board",
                      "Plane",
                      "a point and a normal where Board/Friction is given");

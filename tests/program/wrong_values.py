@@ -281,7 +281,7 @@ WRONG_BOARD = [
     ("Board/Friction", "-0.1", PATTERN),
     ("Board/Friction", "0", "more than 0 where no support holds the body"),
     ("Board/Plane", "", "a point and a normal where Board/Friction is given",
-     {"Board/Friction": "0.5", "Support/Fixed faces": "bottom"}),
+     {"Board/Friction": "0.4", "Support/Fixed faces": "bottom"}),
     ("Accuracy/Target", "0.1", "0 on a board"),
     ("Board/Plane", "0, 0, 0; 0, 0, 1", "nothing where a body is cut with Blade/Drive",
      {"Cut/Surfaces": "y:1", "Blade/Edge loads": "0:10"}),
