@@ -39,7 +39,7 @@ struct BladeContacts
   std::vector<WallSlip> slips;
   /** The walls that adhere to it. */
   std::vector<bool> adhering;
-  /** How the corners on a board hold: see BoardGrip. */
+  /** Where the corners on a board stick: what is measured along the board. */
   std::vector<double> board;
 
   /** For boost::serialization. */

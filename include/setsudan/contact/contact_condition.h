@@ -76,10 +76,8 @@ struct UntouchedBody
  * front, which is tied, the blade's thickness falls to nothing within an
  * element.
  *
- * On the board, at the distance g, a corner sticks where it has come to it as
- * long as the friction there is less than Coulomb's; then it slips, and
- * friction keeps the direction that it had. It sticks again where it would slip
- * back.
+ * On the board, at the distance g, a corner sticks where it has come to it: two
+ * grips, in 2D one, follow its condition.
  */
 template <int dim>
 struct ContactCondition

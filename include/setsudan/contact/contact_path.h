@@ -212,11 +212,11 @@ private:
   std::array<double, dim - 1>
   place_on_board(const unsigned int corner, const double travel) const;
 
-  /** Their grips as a list of numbers, to go on from. */
+  /** Where the corners stick as a list of numbers, to go on from. */
   std::vector<double>
   state_of_anchors() const;
 
-  /** Take the grips of another path, or let the corners stick where vectors
+  /** Let the corners stick where those of an earlier path did, or where vectors
    * are measured. */
   void
   begin_anchors(const std::vector<double> &measured,
