@@ -2,14 +2,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/contact/board.h>
-#include <setsudan/mesh/face_index.h>
-#include <setsudan/mesh/geometry.h>
 #include <setsudan/parameters/lists.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace Setsudan
 {
@@ -27,18 +24,6 @@ constexpr double default_friction = 0.5;
  */
 constexpr double touch = 1e-6;
 
-/** The mean of a face's vertices. */
-template <int dim>
-Point<dim>
-face_center(const CoarseMesh<dim> &mesh, const CellFace &face)
-{
-  Point<dim> center;
-  for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
-    center += mesh.vertices[mesh.cells[face.first].vertices[GeometryInfo<
-                dim>::face_to_cell_vertices(face.second, v)]] /
-              GeometryInfo<dim>::vertices_per_face;
-  return center;
-}
 } // namespace
 
 
@@ -132,21 +117,15 @@ BoardParameters<dim>::find_faces(const Body<dim> &body)
   double height    = 0;
   for (const auto &vertex : mesh.vertices)
     height = std::max(height, distance(vertex));
-  const FaceIndex<dim> index(mesh);
-  for (const auto &[key, face] : index.faces())
+  for (const auto &face : outer_faces_against(mesh, normal))
     {
-      if (index.find(key).size() > 1)
-        continue;
-      const Point<dim> center = face_center(mesh, face);
-      double nearest          = std::numeric_limits<double>::max();
+      double nearest = std::numeric_limits<double>::max();
       for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
         nearest = std::min(
           nearest,
           distance(mesh.vertices[mesh.cells[face.first].vertices[GeometryInfo<
             dim>::face_to_cell_vertices(face.second, v)]]));
-      // Faces that look away from the board, or along it, do not meet it.
-      const Tensor<1, dim> inward = mesh.cell_center(face.first) - center;
-      if (nearest <= reach * height && inward * normal > 0.2 * inward.norm())
+      if (nearest <= reach * height)
         faces.push_back(face);
     }
 }
@@ -208,21 +187,6 @@ BoardContacts<dim>::springs() const
     for (auto &[unknown, factor] : all[i])
       factor *= std::sqrt(all_corners[i / dim].stiffness);
   return all;
-}
-
-
-
-template <int dim>
-IndexSet
-BoardContacts<dim>::unknowns(const types::global_dof_index n_unknowns) const
-{
-  std::set<types::global_dof_index> all;
-  for (const auto &corner : all_corners)
-    for (const auto &[node, weight] : corner.hat.nodes)
-      all.insert(node.begin(), node.end());
-  IndexSet indices(n_unknowns);
-  indices.add_indices(all.begin(), all.end());
-  return indices;
 }
 
 

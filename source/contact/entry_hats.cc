@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/index_set.h>
-
 #include <setsudan/contact/entry_hats.h>
-#include <setsudan/mesh/face_index.h>
-#include <setsudan/mesh/geometry.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace Setsudan
 {
@@ -20,12 +15,6 @@ namespace
 /** What lies nearer to the cut's plane than this part of the body's extent is
  * on it. */
 constexpr double on_plane = 1e-6;
-
-/** The least cosine between the blade's direction and the inward normal of a
- * face that looks against it. */
-constexpr double least_cosine = 0.2;
-
-
 
 /** Whether a blade has flanks from the edge on that press normally. */
 bool
@@ -48,15 +37,10 @@ faces_against(const CoarseMesh<dim> &mesh,
 {
   std::array<std::vector<CellFace>, 2> sides;
   const double tolerance = on_plane * mesh.extent();
-  const FaceIndex<dim> index(mesh);
-  for (const auto &[key, face] : index.faces())
+  for (const auto &face : outer_faces_against(mesh, edge.direction))
     {
       const auto &[cell, number] = face;
-      if (index.find(key).size() > 1 || !is_there(cell))
-        continue;
-      const Tensor<1, dim> area =
-        area_vector_of_face<dim>(mesh.node_positions(cell), number);
-      if (area * edge.direction > -least_cosine * area.norm())
+      if (!is_there(cell))
         continue;
       double lowest  = std::numeric_limits<double>::max();
       double highest = std::numeric_limits<double>::lowest();
@@ -115,32 +99,14 @@ entry_hats(const ElasticModel<dim> &model,
 
 
 
-template <int dim>
-IndexSet
-unknowns_of(const std::vector<EntryHat<dim>> &hats,
-            const types::global_dof_index n_unknowns)
-{
-  std::set<types::global_dof_index> all;
-  for (const auto &entry : hats)
-    for (const auto &[node, weight] : entry.hat.nodes)
-      all.insert(node.begin(), node.end());
-  IndexSet indices(n_unknowns);
-  indices.add_indices(all.begin(), all.end());
-  return indices;
-}
-
-
-
-#define INSTANTIATE(dim)                                            \
-  template std::vector<EntryHat<dim>> entry_hats(                   \
-    const ElasticModel<dim> &,                                      \
-    const CoarseMesh<dim> &,                                        \
-    const Seam<dim> &,                                              \
-    const BladeEdge<dim> &,                                         \
-    const BladeProfile &,                                           \
-    const std::function<bool(unsigned int)> &);                     \
-  template IndexSet unknowns_of(const std::vector<EntryHat<dim>> &, \
-                                const types::global_dof_index);
+#define INSTANTIATE(dim)                          \
+  template std::vector<EntryHat<dim>> entry_hats( \
+    const ElasticModel<dim> &,                    \
+    const CoarseMesh<dim> &,                      \
+    const Seam<dim> &,                            \
+    const BladeEdge<dim> &,                       \
+    const BladeProfile &,                         \
+    const std::function<bool(unsigned int)> &);
 
 INSTANTIATE(2)
 INSTANTIATE(3)

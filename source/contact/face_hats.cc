@@ -5,6 +5,8 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <setsudan/contact/face_hats.h>
+#include <setsudan/mesh/face_index.h>
+#include <setsudan/mesh/geometry.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/map.hpp>
@@ -190,6 +192,32 @@ face_hats(const ElasticModel<dim> &model, const std::vector<CellFace> &faces)
 
 
 
+template <int dim>
+std::vector<CellFace>
+outer_faces_against(const CoarseMesh<dim> &mesh,
+                    const Tensor<1, dim> &direction)
+{
+  constexpr double least_cosine = 0.2;
+  std::vector<CellFace> faces;
+  const FaceIndex<dim> index(mesh);
+  for (const auto &[key, face] : index.faces())
+    {
+      if (index.find(key).size() > 1)
+        continue;
+      const Tensor<1, dim> area =
+        area_vector_of_face<dim>(mesh.node_positions(face.first), face.second);
+      if (area * direction <= -least_cosine * area.norm())
+        faces.push_back(face);
+    }
+  return faces;
+}
+
+
+
+template std::vector<CellFace>
+outer_faces_against(const CoarseMesh<2> &, const Tensor<1, 2> &);
+template std::vector<CellFace>
+outer_faces_against(const CoarseMesh<3> &, const Tensor<1, 3> &);
 template std::vector<FaceHat<2>>
 face_hats(const ElasticModel<2> &, const std::vector<CellFace> &);
 template std::vector<FaceHat<3>>

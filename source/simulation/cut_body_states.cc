@@ -90,10 +90,7 @@ CutBody<dim>::cut_strategy() const
   if (present_board)
     {
       size.has_contact = true;
-      size.n_interface_unknowns +=
-        present_board
-          ->unknowns(present_model->discretization.dof_handler.n_dofs())
-          .n_elements();
+      size.n_interface_unknowns += dim * present_board->corners().size();
     }
   return choose_cut_strategy(
     the_scene.solver, size_of(present_model->discretization), size);
@@ -151,7 +148,7 @@ CutBody<dim>::stages() const
     IndexSet unknowns = newest_seam ? newest_seam->coupled_indices(n_unknowns)
                                     : IndexSet(n_unknowns);
     if (present_board)
-      unknowns.add_indices(present_board->unknowns(n_unknowns));
+      unknowns.add_indices(unknowns_of(present_board->corners(), n_unknowns));
     unknowns.add_indices(unknowns_of(present_entry_hats, n_unknowns));
     // Walls of earlier cuts may meet where a blade presses by contact.
     if (the_scene.has_contact())

@@ -134,7 +134,7 @@ unbalanced_part(const CutBody<dim> &body,
   // other.
   if (body.board())
     {
-      IndexSet touching = body.board()->unknowns(forces.size());
+      IndexSet touching = unknowns_of(body.board()->corners(), forces.size());
       for (const auto &cut : body.earlier_cuts())
         for (const auto &pair : cut.pairs)
           for (const auto *side : {&pair.minus, &pair.plus})

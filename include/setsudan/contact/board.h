@@ -98,10 +98,6 @@ public:
   std::vector<UnknownForces>
   springs() const;
 
-  /** All unknowns of the vectors. */
-  dealii::IndexSet
-  unknowns(const dealii::types::global_dof_index n_unknowns) const;
-
 private:
   std::array<dealii::Tensor<1, dim>, dim> all_directions;
   std::vector<Corner> all_corners;

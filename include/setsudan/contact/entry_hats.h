@@ -44,9 +44,4 @@ entry_hats(const ElasticModel<dim> &model,
            const BladeProfile &profile,
            const std::function<bool(unsigned int)> &is_there);
 
-/** All unknowns of the hats. */
-template <int dim>
-dealii::IndexSet
-unknowns_of(const std::vector<EntryHat<dim>> &hats,
-            const dealii::types::global_dof_index n_unknowns);
 } // namespace Setsudan

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <deal.II/base/index_set.h>
+
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/mesh/coarse_mesh.h>
 
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -44,4 +47,28 @@ struct FaceHat
 template <int dim>
 std::vector<FaceHat<dim>>
 face_hats(const ElasticModel<dim> &model, const std::vector<CellFace> &faces);
+
+/** The outer faces of a mesh that look against a direction: of which the
+ * outward normal is at less than about 80 degrees to the opposite one. */
+template <int dim>
+std::vector<CellFace>
+outer_faces_against(const CoarseMesh<dim> &mesh,
+                    const dealii::Tensor<1, dim> &direction);
+
+/** All unknowns of the nodes of hats.
+ *
+ * @param with_hats what has a FaceHat as its member `hat`. */
+template <typename WithHat>
+dealii::IndexSet
+unknowns_of(const std::vector<WithHat> &with_hats,
+            const dealii::types::global_dof_index n_unknowns)
+{
+  std::set<dealii::types::global_dof_index> all;
+  for (const auto &one : with_hats)
+    for (const auto &[node, weight] : one.hat.nodes)
+      all.insert(node.begin(), node.end());
+  dealii::IndexSet indices(n_unknowns);
+  indices.add_indices(all.begin(), all.end());
+  return indices;
+}
 } // namespace Setsudan

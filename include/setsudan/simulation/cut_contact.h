@@ -159,6 +159,7 @@ private:
    * where there is no board. */
   std::vector<double> measured;
 };
+
 /** A body without a cut as it lies on its board.
  *
  * @param from whose displacement is near it. */
