@@ -43,22 +43,12 @@ template <int dim>
 void
 test_patch(const std::string &element_type)
 {
-  const std::string free = dim == 3 ? ", free" : "";
-  const Scene<dim> scene = make_scene<dim>(
-    {{"Body", "Shape", "file", ""},
-     {"Body", "File", "block.msh", ""},
-     {"Body", "Element type", element_type, ""},
-     {"Support", "Fixed faces", "", ""},
-     {"Support",
-      "Fixed boxes",
-      dim == 3 ? "-9,-9,-9,0,9,9 : x; -9,-9,-9,9,9,0 : z" : "-9,-9,0,9 : x",
-      ""},
-     {"Support",
-      "Displacements",
-      "end : free, -" + std::to_string(strain) + free,
-      ""},
-     {"Board", "Plane", dim == 3 ? "0,0,0; 0,1,0" : "0,0; 0,2", ""},
-     {"Board", "Friction", "0", ""}});
+  Values values = pressed_block<dim>(element_type, strain);
+  values.insert(values.end(),
+                {{"Support", "Fixed faces", "", ""},
+                 {"Board", "Plane", dim == 3 ? "0,0,0; 0,1,0" : "0,0; 0,2", ""},
+                 {"Board", "Friction", "0", ""}});
+  const Scene<dim> scene = make_scene<dim>(values);
   CutBody<dim> body(scene, MPI_COMM_WORLD);
   const State<dim> state = state_on_board(body, rest_state(body));
 

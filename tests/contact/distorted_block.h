@@ -2,9 +2,13 @@
 // A small block of distorted elements, for patch tests.
 #pragma once
 
+#include <setsudan/parameters/scene_file.h>
+
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <string>
+#include <vector>
 
 /** Write block.msh: 2 elements along each axis of the unit cube or square; the
  * nodes in its middle are moved, those on the cut y = 1/2 in their plane, and
@@ -55,4 +59,25 @@ write_block()
       out << "\n";
     }
   out << "$EndElements\n";
+}
+
+
+/** The block as a scene's body, which widens freely while its end, all else
+ * free, comes down by some distance. */
+template <int dim>
+std::vector<Setsudan::SceneEntry>
+pressed_block(const std::string &element_type, const double distance)
+{
+  return {
+    {"Body", "Shape", "file", ""},
+    {"Body", "File", "block.msh", ""},
+    {"Body", "Element type", element_type, ""},
+    {"Support",
+     "Fixed boxes",
+     dim == 3 ? "-9,-9,-9,0,9,9 : x; -9,-9,-9,9,9,0 : z" : "-9,-9,0,9 : x",
+     ""},
+    {"Support",
+     "Displacements",
+     "end : free, -" + std::to_string(distance) + (dim == 3 ? ", free" : ""),
+     ""}};
 }

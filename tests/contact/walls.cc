@@ -30,33 +30,22 @@ template <int dim>
 void
 test(const std::string &element_type, const Between between)
 {
-  const bool has_blade   = between != Between::nothing;
-  const bool travels     = between != Between::thickness;
-  const std::string free = dim == 3 ? ", free" : "";
-  const Scene<dim> scene(Parameters(
-    "test",
-    {{"Body", "Shape", "file", ""},
-     {"Body", "File", "block.msh", ""},
-     {"Body", "Element type", element_type, ""},
-     {"Material", "Young's modulus", std::to_string(youngs_modulus), ""},
+  const bool has_blade = between != Between::nothing;
+  const bool travels   = between != Between::thickness;
+  auto values = pressed_block<dim>(element_type, has_blade ? 0. : strain);
+  values.insert(
+    values.end(),
+    {{"Material", "Young's modulus", std::to_string(youngs_modulus), ""},
      {"Material", "Poisson's ratio", std::to_string(poissons_ratio), ""},
      {"Material", "Formulation", "displacement", ""},
      {"Support", "Fixed components", "start : y", ""},
-     {"Support",
-      "Fixed boxes",
-      dim == 3 ? "-9,-9,-9,0,9,9 : x; -9,-9,-9,9,9,0 : z" : "-9,-9,0,9 : x",
-      ""},
-     {"Support",
-      "Displacements",
-      "end : free, -" + std::to_string(has_blade ? 0. : strain) + free,
-      ""},
      {"Blade", "Drive", travels ? "travel" : "force", ""},
      {"Blade", "Thickness", std::to_string(strain), ""},
      {"Division", "Split rows", travels ? "opened" : "wedged", ""},
      {"Blade", "Direction", dim == 3 ? "0,0,-1" : "1,0", ""},
      {"Cut", "Surfaces", "where : y - 0.5", ""},
-     {"Yield", "Criterion", "energy release", ""}},
-    Scene<dim>::declare));
+     {"Yield", "Criterion", "energy release", ""}});
+  const Scene<dim> scene(Parameters("test", values, Scene<dim>::declare));
   CutBody<dim> body(scene, MPI_COMM_WORLD);
   body.begin_cut(scene.cut.cuts[0]);
   body.split_nodes();
