@@ -99,7 +99,7 @@ share_cores(const unsigned int n_processes_here)
 unsigned int
 n_threads()
 {
-  const auto get = openblas<int()>("openblas_get_num_threads");
+  static const auto get = openblas<int()>("openblas_get_num_threads");
   return get != nullptr ? std::max(1, get()) : 1;
 }
 
@@ -108,7 +108,8 @@ n_threads()
 void
 set_n_threads(const unsigned int n)
 {
-  if (const auto set = openblas<void(int)>("openblas_set_num_threads"))
+  static const auto set = openblas<void(int)>("openblas_set_num_threads");
+  if (set != nullptr)
     set(n);
 }
 
