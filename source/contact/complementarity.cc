@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/contact/complementarity.h>
+#include <setsudan/kernel/blas.h>
 #include <setsudan/parameters/exceptions.h>
 
 #include <algorithm>
@@ -34,6 +35,8 @@ Complementarity::Complementarity(const LAPACKFullMatrix<double> &G,
   : products(G)
   , conditions(std::move(all))
   , own_compliance(size(), 0.)
+  , is_definite(!conditions.shared && !conditions.foundation &&
+                conditions.measured == conditions.exerted)
 {
   for (const unsigned int i : conditions.redundant)
     own_compliance[i] = little_compliance;
@@ -49,6 +52,22 @@ unsigned int
 Complementarity::size() const
 {
   return conditions.required.constant.size();
+}
+
+
+
+void
+Complementarity::replace(const unsigned int i,
+                         const VectorSum &measured,
+                         const VectorSum &exerted,
+                         const std::array<double, 2> &required)
+{
+  conditions.measured[i]          = measured;
+  conditions.exerted[i]           = exerted;
+  conditions.required.constant[i] = required[0];
+  conditions.required.slope[i]    = required[1];
+  is_definite                     = is_definite && measured == exerted;
+  block.forget(i);
 }
 
 
@@ -87,147 +106,6 @@ Complementarity::flip(ActiveSet &active, const unsigned int condition) const
     for (unsigned int i = 0; i < conditions.leader.size(); ++i)
       if (conditions.leader[i] == condition)
         active[i] = false;
-}
-
-
-
-double
-Complementarity::measure(const unsigned int i,
-                         const Vector<double> &displacements) const
-{
-  double sum = 0;
-  for (const auto &[a, factor] : conditions.measured[i])
-    sum += factor * displacements[a];
-  return sum;
-}
-
-
-
-void
-Complementarity::add_displacements(const VectorSum &vectors,
-                                   const double force,
-                                   Vector<double> &displacements) const
-{
-  const auto m         = static_cast<unsigned int>(products.m());
-  double *const result = displacements.begin();
-  for (const auto &[b, factor] : vectors)
-    if (const double f = factor * force; f != 0)
-      {
-        const double *const column = &products(0, b);
-        for (unsigned int a = 0; a < m; ++a)
-          result[a] += f * column[a];
-      }
-}
-
-
-
-std::vector<Complementarity::Solved>
-Complementarity::solve(const ActiveSet &active,
-                       const std::vector<Side> &sides) const
-{
-  const auto
-    &[measured, exerted, required, shared, redundant, leader, springs] =
-      conditions;
-  // Unknown are the multipliers of active conditions, and the springs of
-  // others: those of active ones are as long as the gap says.
-  std::vector<unsigned int> indices;
-  std::vector<unsigned int> known_springs;
-  for (unsigned int i = 0; i < size(); ++i)
-    {
-      if (active[i] || spring(i) > 0)
-        indices.push_back(i);
-      if (active[i] && spring(i) > 0)
-        known_springs.push_back(i);
-    }
-  std::vector<Solved> all(
-    sides.size(),
-    {Vector<double>(size()), Vector<double>(springs ? size() : 0)});
-  const unsigned int n = indices.size();
-  if (n == 0)
-    return all;
-  const unsigned int n_all = n + shared.has_value();
-  LAPACKFullMatrix<double> block(n_all), right(n_all, sides.size());
-  Vector<double> moved(products.m());
-  for (unsigned int j = 0; j < n; ++j)
-    {
-      const unsigned int c = indices[j];
-      moved                = 0;
-      add_displacements(active[c] ? exerted[c] : measured[c], 1, moved);
-      for (unsigned int i = 0; i < n; ++i)
-        block(i, j) = measure(indices[i], moved);
-      if (active[c])
-        block(j, j) *= 1 + own_compliance[c];
-      else
-        block(j, j) -= 1 / spring(c);
-    }
-  if (shared)
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        if (active[indices[i]])
-          {
-            block(i, n) = shared->measured[indices[i]];
-            block(n, i) = shared->exerted[indices[i]];
-          }
-      block(n, n) = -shared->stiffness;
-    }
-  for (unsigned int s = 0; s < sides.size(); ++s)
-    {
-      const auto &[b, closed] = sides[s];
-      Vector<double> by_springs(known_springs.empty() ? 0 : products.m());
-      for (const unsigned int k : known_springs)
-        {
-          all[s].springs[k] = spring(k) * closed[k];
-          add_displacements(measured[k], all[s].springs[k], by_springs);
-        }
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const unsigned int c = indices[i];
-          right(i, s)          = active[c] ? b[c] : b[c] - closed[c];
-          if (!known_springs.empty())
-            right(i, s) -= measure(c, by_springs);
-        }
-    }
-  block.compute_lu_factorization();
-  block.solve(right);
-  for (unsigned int s = 0; s < sides.size(); ++s)
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        (active[indices[i]] ? all[s].multipliers : all[s].springs)[indices[i]] =
-          right(i, s);
-      if (shared)
-        all[s].shared = right(n, s);
-    }
-  return all;
-}
-
-
-
-Vector<double>
-Complementarity::displacements(const Solved &solved) const
-{
-  Vector<double> moved(products.m());
-  for (unsigned int j = 0; j < size(); ++j)
-    add_displacements(conditions.exerted[j], solved.multipliers[j], moved);
-  for (unsigned int j = 0; j < solved.springs.size(); ++j)
-    add_displacements(conditions.measured[j], solved.springs[j], moved);
-  return moved;
-}
-
-
-
-Vector<double>
-Complementarity::gaps(const Vector<double> &moved,
-                      const double x,
-                      const Vector<double> &b) const
-{
-  Vector<double> gap(size());
-  for (unsigned int i = 0; i < size(); ++i)
-    {
-      gap[i] = measure(i, moved) - b[i];
-      if (conditions.shared)
-        gap[i] += conditions.shared->measured[i] * x;
-    }
-  return gap;
 }
 
 
@@ -317,6 +195,8 @@ Complementarity::try_at(const ActiveSet &active, const double p) const
                                  Vector<double>(products.m())};
       return {untouched, {}};
     }
+  // The matrices are too small to be shared out among threads.
+  const SingleThreadedBlas single_threaded;
   const Side at_p = side(p);
   const Side slope{required.slope, Vector<double>(at_p.closed.size())};
   auto solved = solve(active, {at_p, slope});

@@ -188,12 +188,12 @@ void
 ContactPath<dim>::make_conditions()
 {
   conditions.clear();
+  conditions.reserve(vector_at.size());
   for (unsigned int h = 0; h < basis.hats().size(); ++h)
     {
       const auto &hat = basis.hats()[h];
       if (!hat.is_there(row) || (hat.outer && !can_move(h)))
         continue;
-      bool may_meet = !hat.outer;
       if (!profile.facets.empty())
         for (const Wall wall : {Wall::minus, Wall::plus})
           {
@@ -202,12 +202,11 @@ ContactPath<dim>::make_conditions()
             conditions.push_back(flank_condition(h, wall));
             if (slips[place_of_wall(h, wall)].way == 0)
               conditions.push_back(stick_condition(h, wall));
-            may_meet = may_meet && profile.is_tip(facet(h, wall));
           }
       // Elsewhere the flanks keep the walls apart, and nothing moves walls that
       // are supported.
       const unsigned int first = place_of[basis.first_vector_of_hat(h)];
-      if (may_meet && (basis.has_flanks() || products(first, first) > 0))
+      if (may_meet(h) && (basis.has_flanks() || products(first, first) > 0))
         conditions.push_back(walls_condition(h));
     }
   for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
@@ -233,6 +232,22 @@ ContactPath<dim>::make_conditions()
 
 
 template <int dim>
+std::array<double, 2>
+ContactPath<dim>::required_by(const Condition &condition) const
+{
+  std::array<double, 2> required{{condition.constant, condition.per_travel}};
+  for (const auto &[a, factor] : condition.measured)
+    {
+      required[0] -=
+        factor * (untouched.displacements.constant[a] + moved_by_adhesion[a]);
+      required[1] -= factor * untouched.displacements.slope[a];
+    }
+  return required;
+}
+
+
+
+template <int dim>
 void
 ContactPath<dim>::make_problem()
 {
@@ -249,15 +264,9 @@ ContactPath<dim>::make_problem()
     {
       measured.push_back(conditions[i].measured);
       exerted.push_back(conditions[i].exerted);
-      required.constant[i] = conditions[i].constant;
-      required.slope[i]    = conditions[i].per_travel;
-      for (const auto &[a, factor] : conditions[i].measured)
-        {
-          required.constant[i] -=
-            factor *
-            (untouched.displacements.constant[a] + moved_by_adhesion[a]);
-          required.slope[i] -= factor * untouched.displacements.slope[a];
-        }
+      const auto [constant, slope] = required_by(conditions[i]);
+      required.constant[i]         = constant;
+      required.slope[i]            = slope;
       if (conditions[i].kind == Kind::walls)
         redundant.push_back(i);
       if (!blade || !conditions[i].is_of_flank())
@@ -324,6 +333,10 @@ ContactPath<dim>::remake_conditions()
     const typename ContactBasis<dim>::Component) const;                    \
   template typename ContactPath<dim>::Condition                            \
   ContactPath<dim>::stick_condition(const unsigned int, const Wall) const; \
+  template std::array<double, 2> ContactPath<dim>::required_by(            \
+    const Condition &) const;                                              \
+  template typename ContactPath<dim>::Condition                            \
+  ContactPath<dim>::flank_condition(const unsigned int, const Wall) const; \
   template void ContactPath<dim>::make_conditions();                       \
   template void ContactPath<dim>::remake_conditions();
 

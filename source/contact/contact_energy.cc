@@ -11,6 +11,8 @@ template <int dim>
 Quadratic
 ContactPath<dim>::energy() const
 {
+  if (energy_of_piece)
+    return *energy_of_piece;
   Quadratic result = untouched.energy;
   const auto add   = [&](const Condition &condition,
                        const double constant,
@@ -32,6 +34,7 @@ ContactPath<dim>::energy() const
   for (const auto &[condition, strength] : adhesions)
     add(condition, strength, 0);
   add_foundation_energy(result);
+  energy_of_piece = result;
   return result;
 }
 
@@ -70,7 +73,7 @@ ContactPath<dim>::sum_over(const Kind kind,
 {
   Quadratic sum;
   for (unsigned int i = 0; i < conditions.size(); ++i)
-    if (conditions[i].kind == kind)
+    if (piece.active[i] && conditions[i].kind == kind)
       {
         sum.c[0] += piece.multipliers.constant[i] * (conditions[i].*factor);
         sum.c[1] += piece.multipliers.slope[i] * (conditions[i].*factor);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/contact/contact_path.h>
 
+#include <algorithm>
+#include <tuple>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -34,39 +37,96 @@ ContactPath<dim>::distance_behind_edge(const unsigned int h,
 
 
 template <int dim>
-bool
+std::vector<unsigned int>
 ContactPath<dim>::update_facets(const double travel,
                                 const double tolerance,
                                 const bool back)
 {
-  bool any = false;
+  std::vector<unsigned int> changed;
   for (unsigned int i = 0; i < conditions.size(); ++i)
     {
       if (conditions[i].kind != Kind::flank || keeps_facet(conditions[i]))
         continue;
       const unsigned int h = conditions[i].place;
       const Wall wall      = conditions[i].wall;
-      const auto behind    = distance_behind_edge(h, wall);
-      const double s       = behind[0] + travel * behind[1];
       unsigned int &k      = facet(h, wall);
-      const bool is_past   = k + 1 < profile.facets.size() &&
-                           s >= profile.facets[k + 1].begin + tolerance;
-      const bool is_ahead = k > 0 && s < profile.facets[k].begin - tolerance;
       const bool adheres =
         !adhering.empty() && adhering[place_of_wall(h, wall)];
       const bool may_turn = back && !piece.active[i] && !adheres;
-      if (is_past && (heading > 0 || may_turn))
+      const bool has_next =
+        k + 1 < profile.facets.size() && (heading > 0 || may_turn);
+      const bool has_last = k > 0 && (heading < 0 || may_turn);
+      if (!has_next && !has_last)
+        continue;
+      const auto behind = distance_behind_edge(h, wall);
+      const double s    = behind[0] + travel * behind[1];
+      if (has_next && s >= profile.facets[k + 1].begin + tolerance)
         {
           ++k;
-          any = true;
+          changed.push_back(i);
         }
-      else if (is_ahead && (heading < 0 || may_turn))
+      else if (has_last && s < profile.facets[k].begin - tolerance)
         {
           --k;
-          any = true;
+          changed.push_back(i);
         }
     }
-  return any;
+  return changed;
+}
+
+
+
+template <int dim>
+bool
+ContactPath<dim>::may_meet(const unsigned int h) const
+{
+  const auto &hat = basis.hats()[h];
+  if (hat.outer)
+    return false;
+  for (const Wall wall : {Wall::minus, Wall::plus})
+    if (!profile.facets.empty() && hat.is_of(wall) &&
+        !profile.is_tip(facet(h, wall)))
+      return false;
+  return true;
+}
+
+
+
+template <int dim>
+bool
+ContactPath<dim>::changes_alone(const unsigned int flank) const
+{
+  const auto &[h, wall] =
+    std::tie(conditions[flank].place, conditions[flank].wall);
+  // Behind its flanks, and what sticks, is the condition of a hat's walls.
+  unsigned int next = flank + 1;
+  while (next < conditions.size() && conditions[next].is_of_flank() &&
+         conditions[next].place == h)
+    ++next;
+  const bool could_meet = next < conditions.size() &&
+                          conditions[next].kind == Kind::walls &&
+                          conditions[next].place == h;
+  return slips[place_of_wall(h, wall)].way != 0 && could_meet == may_meet(h);
+}
+
+
+
+template <int dim>
+void
+ContactPath<dim>::take_facets(const std::vector<unsigned int> &flanks)
+{
+  if (!sliding.is_guided || !adhering.empty() ||
+      !std::all_of(flanks.begin(), flanks.end(), [&](const unsigned int i) {
+        return changes_alone(i);
+      }))
+    return remake_conditions();
+  for (const unsigned int i : flanks)
+    {
+      Condition &condition = conditions[i];
+      condition            = flank_condition(condition.place, condition.wall);
+      problem->replace(
+        i, condition.measured, condition.exerted, required_by(condition));
+    }
 }
 
 
@@ -113,8 +173,11 @@ ContactPath<dim>::find_end_of_facets(const double travel)
 #define INSTANTIATE(dim)                                              \
   template std::array<double, 2> ContactPath<dim>::moved_along_flank( \
     const Condition &) const;                                         \
-  template bool ContactPath<dim>::update_facets(                      \
+  template std::vector<unsigned int> ContactPath<dim>::update_facets( \
     const double, const double, const bool);                          \
+  template bool ContactPath<dim>::may_meet(const unsigned int) const; \
+  template void ContactPath<dim>::take_facets(                        \
+    const std::vector<unsigned int> &);                               \
   template void ContactPath<dim>::find_end_of_facets(const double);
 
 INSTANTIATE(2)

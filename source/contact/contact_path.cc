@@ -56,11 +56,18 @@ ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
   auto &[constant, slope] = untouched.displacements;
   for (unsigned int j = 0; j < n; ++j)
     {
-      for (unsigned int i = 0; i < n; ++i)
-        products(i, j) = all_products(vector_at[i], vector_at[j]);
+      for (unsigned int i = j; i < n; ++i)
+        products(i, j) = all_products(std::max(vector_at[i], vector_at[j]),
+                                      std::min(vector_at[i], vector_at[j]));
       constant[j] = without_contact.displacements.constant[vector_at[j]];
       slope[j]    = without_contact.displacements.slope[vector_at[j]];
     }
+  // In tiles, of which both halves stay in the cache.
+  constexpr unsigned int tile = 32;
+  for (unsigned int first = 0; first < n; first += tile)
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = first; i < std::min({first + tile, j, n}); ++i)
+        products(i, j) = products(j, i);
 }
 
 
@@ -100,13 +107,17 @@ ContactPath<dim>::settle(const double travel)
     {
       take_piece(travel,
                  [&] { return problem->solution(travel, piece.active); });
-      on_facets =
-        !update_facets(travel, 1e-2 * smallest_step, round < most_back);
+      const auto flanks =
+        update_facets(travel, 1e-2 * smallest_step, round < most_back);
+      on_facets       = flanks.empty();
       const bool slip = on_facets && update_slips(travel, round > most_at_once);
       const bool grip = update_grips(travel);
       if (on_facets && !slip && !grip)
         return;
-      remake_conditions();
+      if (slip || grip)
+        remake_conditions();
+      else
+        take_facets(flanks);
     }
   if (on_facets)
     throw SolverError("At a travel of " + std::to_string(travel) +
@@ -126,20 +137,21 @@ ContactPath<dim>::take_piece(
   const double travel,
   const std::function<Complementarity::Piece()> &solution)
 {
-  const auto [found, ends] = of_first_process(basis.communicator(), [&] {
-    const auto of_active = solution();
+  auto [found, ends] = of_first_process(basis.communicator(), [&] {
+    auto of_active = solution();
     std::vector<Complementarity::Breakpoint> end;
     if (const auto breakpoint = problem->end_of(of_active, travel, heading))
       end.push_back(*breakpoint);
-    return std::make_pair(of_active, end);
+    return std::make_pair(std::move(of_active), end);
   });
-  piece                    = found;
-  end_of_piece             = ends.empty()
-                               ? heading * std::numeric_limits<double>::infinity()
-                               : ends[0].p;
-  ending_condition         = ends.empty()
-                               ? std::optional<unsigned int>()
-                               : std::optional<unsigned int>(ends[0].condition);
+  piece              = std::move(found);
+  energy_of_piece.reset();
+  end_of_piece     = ends.empty()
+                       ? heading * std::numeric_limits<double>::infinity()
+                       : ends[0].p;
+  ending_condition = ends.empty()
+                       ? std::optional<unsigned int>()
+                       : std::optional<unsigned int>(ends[0].condition);
   ending_slip.reset();
   find_end_of_facets(travel);
   find_end_of_sticking(travel);
@@ -272,7 +284,7 @@ ContactPath<dim>::cross_end()
   Assert(std::isfinite(travel), ExcInternalError());
   const double before = energy()(travel);
   const double beyond = travel + heading * smallest_step;
-  const auto touched  = touching();
+  const auto touched  = sliding.adhesion > 0 ? touching() : std::vector<bool>();
   has_stuck.assign(anchors.size(), false);
   if (ending_condition)
     change_condition(*ending_condition, travel, beyond);
@@ -284,11 +296,11 @@ ContactPath<dim>::cross_end()
           const auto &flank = conditions[ending_slip->first];
           slips[place_of_wall(flank.place, flank.wall)].way =
             ending_slip->second;
+          remake_conditions();
         }
       else
         // Where the front is straight all hats of a row do so together.
-        update_facets(travel, -smallest_step, false);
-      remake_conditions();
+        take_facets(update_facets(travel, -smallest_step, false));
       settle(travel);
       if (slips_now && is_before(end_of_piece, beyond))
         end_of_piece = beyond;

@@ -269,12 +269,12 @@ CutContact<dim>::untouched(const LAPACKFullMatrix<double> &products,
   const auto &in_lift = compliance.work_in_lift;
   result.energy.c[0]  = -products(loads, loads) / 2;
   for (unsigned int v = 0; v < n; ++v)
-    result.displacements.constant[v] = products(v, loads) + in_lift[v];
+    result.displacements.constant[v] = products(loads, v) + in_lift[v];
   if (!has_forces())
     return result;
   const unsigned int edge = n + n_split;
   for (unsigned int v = 0; v < n; ++v)
-    result.displacements.slope[v] = products(v, edge);
+    result.displacements.slope[v] = products(edge, v);
   result.energy.c[1] = -products(loads, edge) - in_lift[edge];
   result.energy.c[2] = -products(edge, edge) / 2;
   return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/contact/active_block.h>
+
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -145,6 +147,16 @@ public:
   unsigned int
   size() const;
 
+  /** Replace a condition that has no spring, in a problem without a shared
+   * unknown.
+   *
+   * @param required as constant and slope. */
+  void
+  replace(const unsigned int condition,
+          const VectorSum &measured,
+          const VectorSum &exerted,
+          const std::array<double, 2> &required);
+
   /**
    * The active set of the solution at p, by the primal-dual active set method;
    * where that returns to a set that it has left already, by principal pivoting
@@ -213,6 +225,17 @@ private:
                     const double force,
                     dealii::Vector<double> &displacements) const;
 
+  /** Of the matrix for all that may be unknown: the multipliers of all
+   * conditions, then the springs of all, then what they share. */
+  double
+  entry(const unsigned int row, const unsigned int column) const;
+
+  /** For the rows of the block, with the springs that are known. */
+  dealii::LAPACKFullMatrix<double>
+  right_hand_sides(const ActiveSet &active,
+                   const std::vector<Side> &sides,
+                   std::vector<Solved> &solved) const;
+
   /** Solve for the multipliers of the active conditions and the springs of the
    * others. */
   std::vector<Solved>
@@ -251,7 +274,11 @@ private:
        const dealii::Vector<double> &required) const;
 
   const dealii::LAPACKFullMatrix<double> &products;
-  const ContactConditions conditions;
+  ContactConditions conditions;
   std::vector<double> own_compliance;
+  /** Whether W is symmetric and positive definite, as without friction. */
+  bool is_definite;
+  /** What was solved last: the next active set is near that. */
+  mutable ActiveBlock block;
 };
 } // namespace Setsudan

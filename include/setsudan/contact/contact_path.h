@@ -39,7 +39,8 @@ public:
    *   last one.
    * @param n_ahead  the rows behind that one that may split with it.
    * @param products the work of each vector of the basis as a force in the
-   *   displacement under each other one, in this stage.
+   *   displacement under each other one, in this stage; of this symmetric
+   *   matrix the lower half counts.
    * @param untouched the body in this stage without contact.
    * @param smallest_step of the parameter: a travel that is small beside a row.
    */
@@ -265,12 +266,30 @@ private:
   std::array<double, 2>
   distance_behind_edge(const unsigned int hat, const Wall wall) const;
 
-  /** Move hats to the facets that they are on; whether any did.
+  /** What the gap of a condition requires beyond what the body measures
+   * without contact, as constant and slope. */
+  std::array<double, 2>
+  required_by(const Condition &condition) const;
+
+  /** Whether the walls at a hat may meet ahead of the edge. */
+  bool
+  may_meet(const unsigned int hat) const;
+
+  /** Whether no other condition changes with the facet of one. */
+  bool
+  changes_alone(const unsigned int flank) const;
+
+  /** Change the conditions of flanks to their hats' facets. */
+  void
+  take_facets(const std::vector<unsigned int> &flanks);
+
+  /** Move hats to the facets that they are on; the flanks' conditions of those
+   * that did.
    *
    * @param tolerance how far beyond the end of one they may stay on it.
    * @param back whether they may move forward again, while they do not touch.
    */
-  bool
+  std::vector<unsigned int>
   update_facets(const double travel, const double tolerance, const bool back);
 
   /** Take a piece that holds at a travel, which one process finds. */
@@ -424,6 +443,7 @@ private:
   std::vector<Condition> conditions;
   std::unique_ptr<Complementarity> problem;
   Complementarity::Piece piece;
+  mutable std::optional<Quadratic> energy_of_piece;
   double end_of_piece = std::numeric_limits<double>::infinity();
   /** The condition that ends the piece, or the one that begins to slip and its
    * way, if it is no change of a facet. */

@@ -33,9 +33,6 @@ CondensedSolver<dim>::Compliance::add_products(
             1.,
             &products(0, 0),
             n);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < j; ++i)
-      products(i, j) = products(j, i);
 }
 
 

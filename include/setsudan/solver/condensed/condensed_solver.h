@@ -76,7 +76,8 @@ public:
 
     /** Add the products of all columns over some rows, so that over the free
      * unknowns of a stage they are the work of one force in the displacement
-     * under the other. On the first process. */
+     * under the other: the lower half of a symmetric matrix. On the first
+     * process. */
     void
     add_products(const unsigned int begin,
                  const unsigned int end,
