@@ -39,7 +39,7 @@ ContactPath<dim>::board_condition(const unsigned int i) const
   const auto &board  = *basis.board();
   const auto &corner = board.corners()[i];
   const auto place   = [&](const unsigned int direction) {
-    return place_of[basis.vector_of_board_corner(i, direction)];
+    return stage->place_of[basis.vector_of_board_corner(i, direction)];
   };
   Condition condition;
   condition.kind     = Kind::board;
@@ -61,7 +61,7 @@ ContactPath<dim>::grip_condition(const unsigned int i,
 {
   const auto &board = *basis.board();
   const unsigned int place =
-    place_of[basis.vector_of_board_corner(i, direction)];
+    stage->place_of[basis.vector_of_board_corner(i, direction)];
   Condition condition;
   condition.kind      = Kind::grip;
   condition.place     = i;
@@ -83,8 +83,8 @@ ContactPath<dim>::add_board_conditions()
     {
       const auto moves = [&](const unsigned int direction) {
         const unsigned int place =
-          place_of[basis.vector_of_board_corner(i, direction)];
-        return products(place, place) > 0;
+          stage->place_of[basis.vector_of_board_corner(i, direction)];
+        return stage->products(place, place) > 0;
       };
       // A corner that is supported along the normal is no matter of the board.
       if (!moves(0))
@@ -148,8 +148,8 @@ ContactPath<dim>::place_on_board(const unsigned int corner,
   for (unsigned int c = 0; c + 1 < dim; ++c)
     {
       const unsigned int place =
-        place_of[basis.vector_of_board_corner(corner, c + 1)];
-      measured[c] = untouched.displacements(place, travel) +
+        stage->place_of[basis.vector_of_board_corner(corner, c + 1)];
+      measured[c] = stage->untouched.displacements(place, travel) +
                     moved_by_adhesion[place] +
                     piece.displacements(place, travel);
     }
@@ -208,15 +208,6 @@ ContactPath<dim>::state_of_anchors() const
 
 
 
-template <int dim>
-Quadratic
-ContactPath<dim>::board_force() const
-{
-  return sum_over(Kind::board, &Condition::force);
-}
-
-
-
 #define INSTANTIATE(dim)                                                      \
   template void ContactPath<dim>::begin_anchors(const std::vector<double> &,  \
                                                 const std::vector<double> &); \
@@ -229,8 +220,7 @@ ContactPath<dim>::board_force() const
   template std::array<double, dim - 1> ContactPath<dim>::place_on_board(      \
     const unsigned int, const double) const;                                  \
   template bool ContactPath<dim>::update_grips(const double);                 \
-  template std::vector<double> ContactPath<dim>::state_of_anchors() const;    \
-  template Quadratic ContactPath<dim>::board_force() const;
+  template std::vector<double> ContactPath<dim>::state_of_anchors() const;
 
 INSTANTIATE(2)
 INSTANTIATE(3)

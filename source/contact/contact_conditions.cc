@@ -20,18 +20,6 @@ ContactCondition<dim>::is_same(const ContactCondition &other) const
 
 
 template <int dim>
-unsigned int
-ContactPath<dim>::place_of_hat(
-  const unsigned int hat,
-  const Wall wall,
-  const typename ContactBasis<dim>::Component component) const
-{
-  return place_of[basis.vector_of_hat(hat, wall, component)];
-}
-
-
-
-template <int dim>
 double
 ContactPath<dim>::tilt(const unsigned int h, const Wall wall) const
 {
@@ -52,10 +40,11 @@ ContactPath<dim>::flank_condition(const unsigned int h, const Wall wall) const
   const double tilt          = this->tilt(h, wall);
   const double length        = std::sqrt(1 + tilt * tilt);
   const double rubbed        = mu * sliding.slice * length;
-  const unsigned int outward = place_of_hat(h, wall, Component::outward);
-  const unsigned int along   = place_of_hat(h, wall, Component::along);
-  const unsigned int aside =
-    sliding.rubs_aside() ? place_of_hat(h, wall, Component::aside) : along;
+  const unsigned int outward = stage->place_of_hat(h, wall, Component::outward);
+  const unsigned int along   = stage->place_of_hat(h, wall, Component::along);
+  const unsigned int aside   = sliding.rubs_aside()
+                                 ? stage->place_of_hat(h, wall, Component::aside)
+                                 : along;
   Condition condition;
   condition.kind     = Kind::flank;
   condition.place    = h;
@@ -87,8 +76,8 @@ ContactPath<dim>::stick_condition(const unsigned int h, const Wall wall) const
   using Component            = typename ContactBasis<dim>::Component;
   const auto &hat            = basis.hats()[h];
   const double tilt          = this->tilt(h, wall);
-  const unsigned int outward = place_of_hat(h, wall, Component::outward);
-  const unsigned int along   = place_of_hat(h, wall, Component::along);
+  const unsigned int outward = stage->place_of_hat(h, wall, Component::outward);
+  const unsigned int along   = stage->place_of_hat(h, wall, Component::along);
   Condition condition;
   condition.kind        = Kind::stick;
   condition.place       = h;
@@ -115,16 +104,16 @@ ContactPath<dim>::walls_condition(const unsigned int h) const
   condition.kind     = Kind::walls;
   condition.place    = h;
   condition.area     = basis.hats()[h].area;
-  condition.force    = basis.split_area(h, row);
+  condition.force    = basis.split_area(h, stage->row);
   condition.constant = profile.keeps_apart * condition.force;
   if (basis.has_flanks())
     condition.measured = {
-      {{place_of_hat(h, Wall::minus, Component::outward), 1.},
-       {place_of_hat(h, Wall::plus, Component::outward), 1.},
+      {{stage->place_of_hat(h, Wall::minus, Component::outward), 1.},
+       {stage->place_of_hat(h, Wall::plus, Component::outward), 1.},
        {0, 0.}}};
   else
     condition.measured = {
-      {{place_of[basis.first_vector_of_hat(h)], 1.}, {0, 0.}, {0, 0.}}};
+      {{stage->place_of[basis.first_vector_of_hat(h)], 1.}, {0, 0.}, {0, 0.}}};
   condition.exerted = condition.measured;
   return condition;
 }
@@ -136,7 +125,7 @@ typename ContactPath<dim>::Condition
 ContactPath<dim>::earlier_walls_condition(const unsigned int corner) const
 {
   const unsigned int place =
-    place_of[basis.first_vector_of_earlier_corners() + corner];
+    stage->place_of[basis.first_vector_of_earlier_corners() + corner];
   Condition condition;
   condition.kind     = Kind::walls;
   condition.place    = basis.hats().size() + corner;
@@ -152,7 +141,7 @@ template <int dim>
 typename ContactPath<dim>::Condition
 ContactPath<dim>::edge_condition(const unsigned int node) const
 {
-  const unsigned int place = place_of[basis.vector_of_edge_node(node)];
+  const unsigned int place = stage->place_of[basis.vector_of_edge_node(node)];
   const double drag        = sliding.drag();
   const double way         = 1 + drag * drag;
   Condition condition;
@@ -170,29 +159,15 @@ ContactPath<dim>::edge_condition(const unsigned int node) const
 
 
 template <int dim>
-bool
-ContactPath<dim>::can_move(const unsigned int h) const
-{
-  for (unsigned int v = basis.first_vector_of_hat(h);
-       v < basis.first_vector_of_hat(h + 1);
-       ++v)
-    if (products(place_of[v], place_of[v]) > 0)
-      return true;
-  return false;
-}
-
-
-
-template <int dim>
 void
 ContactPath<dim>::make_conditions()
 {
   conditions.clear();
-  conditions.reserve(vector_at.size());
+  conditions.reserve(stage->vector_at.size());
   for (unsigned int h = 0; h < basis.hats().size(); ++h)
     {
       const auto &hat = basis.hats()[h];
-      if (!hat.is_there(row) || (hat.outer && !can_move(h)))
+      if (!hat.is_there(stage->row) || (hat.outer && !stage->can_move(h)))
         continue;
       if (!profile.facets.empty())
         for (const Wall wall : {Wall::minus, Wall::plus})
@@ -205,23 +180,25 @@ ContactPath<dim>::make_conditions()
           }
       // Elsewhere the flanks keep the walls apart, and nothing moves walls that
       // are supported.
-      const unsigned int first = place_of[basis.first_vector_of_hat(h)];
-      if (may_meet(h) && (basis.has_flanks() || products(first, first) > 0))
+      const unsigned int first = stage->place_of[basis.first_vector_of_hat(h)];
+      if (may_meet(h) &&
+          (basis.has_flanks() || stage->products(first, first) > 0))
         conditions.push_back(walls_condition(h));
     }
   for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
-    if (basis.edge_nodes()[n].row == row)
+    if (basis.edge_nodes()[n].row == stage->row)
       {
-        const unsigned int place = place_of[basis.vector_of_edge_node(n)];
+        const unsigned int place =
+          stage->place_of[basis.vector_of_edge_node(n)];
         // Nothing moves a node that is supported.
-        if (products(place, place) > 0)
+        if (stage->products(place, place) > 0)
           conditions.push_back(edge_condition(n));
       }
   for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
     {
       const unsigned int place =
-        place_of[basis.first_vector_of_earlier_corners() + i];
-      if (products(place, place) > 0)
+        stage->place_of[basis.first_vector_of_earlier_corners() + i];
+      if (stage->products(place, place) > 0)
         conditions.push_back(earlier_walls_condition(i));
     }
   add_board_conditions();
@@ -238,9 +215,9 @@ ContactPath<dim>::required_by(const Condition &condition) const
   std::array<double, 2> required{{condition.constant, condition.per_travel}};
   for (const auto &[a, factor] : condition.measured)
     {
-      required[0] -=
-        factor * (untouched.displacements.constant[a] + moved_by_adhesion[a]);
-      required[1] -= factor * untouched.displacements.slope[a];
+      required[0] -= factor * (stage->untouched.displacements.constant[a] +
+                               moved_by_adhesion[a]);
+      required[1] -= factor * stage->untouched.displacements.slope[a];
     }
   return required;
 }
@@ -278,13 +255,13 @@ ContactPath<dim>::make_problem()
       blade->measured[i]          = across * conditions[i].measured[0].second;
       blade->exerted[i]           = across * pressure;
       required.constant[i] -= blade->measured[i] * resting_shift;
-      softest = std::max(softest, products(out, out) / (area * area));
+      softest = std::max(softest, stage->products(out, out) / (area * area));
     }
   // Less than what any number of the results tells.
   if (blade)
     blade->stiffness = 1e-10 / softest;
   problem =
-    std::make_unique<Complementarity>(products,
+    std::make_unique<Complementarity>(stage->products,
                                       ContactConditions{std::move(measured),
                                                         std::move(exerted),
                                                         std::move(required),
@@ -327,10 +304,6 @@ ContactPath<dim>::remake_conditions()
 #define INSTANTIATE(dim)                                                   \
   template bool ContactCondition<dim>::is_same(const ContactCondition &)   \
     const;                                                                 \
-  template unsigned int ContactPath<dim>::place_of_hat(                    \
-    const unsigned int,                                                    \
-    const Wall,                                                            \
-    const typename ContactBasis<dim>::Component) const;                    \
   template typename ContactPath<dim>::Condition                            \
   ContactPath<dim>::stick_condition(const unsigned int, const Wall) const; \
   template std::array<double, 2> ContactPath<dim>::required_by(            \

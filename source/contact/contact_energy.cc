@@ -13,7 +13,7 @@ ContactPath<dim>::energy() const
 {
   if (energy_of_piece)
     return *energy_of_piece;
-  Quadratic result = untouched.energy;
+  Quadratic result = stage->untouched.energy;
   const auto add   = [&](const Condition &condition,
                        const double constant,
                        const double slope) {
@@ -67,91 +67,37 @@ ContactPath<dim>::add_foundation_energy(Quadratic &energy) const
 
 
 template <int dim>
-Quadratic
-ContactPath<dim>::sum_over(const Kind kind,
-                           const double Condition::*factor) const
+ContactResultants
+ContactPath<dim>::resultants() const
 {
-  Quadratic sum;
+  ContactResultants result;
+  const auto add =
+    [&](const Condition &condition, const double constant, const double slope) {
+      const auto to = [&](Quadratic &sum, const double factor) {
+        sum.c[0] += constant * factor;
+        sum.c[1] += slope * factor;
+      };
+      if (condition.kind == Kind::edge)
+        to(result.edge, condition.force);
+      if (condition.kind == Kind::edge || condition.kind == Kind::flank)
+        to(result.aside, condition.aside);
+      if (condition.kind == Kind::walls)
+        to(result.walls, condition.force);
+      if (condition.kind == Kind::board)
+        to(result.board, condition.force);
+      if (!condition.is_of_flank())
+        return;
+      to(result.flanks, condition.force);
+      to(result.friction, condition.friction);
+      to(result.unfelt, condition.unfelt);
+    };
+  const auto &[constant, slope] = piece.multipliers;
   for (unsigned int i = 0; i < conditions.size(); ++i)
-    if (piece.active[i] && conditions[i].kind == kind)
-      {
-        sum.c[0] += piece.multipliers.constant[i] * (conditions[i].*factor);
-        sum.c[1] += piece.multipliers.slope[i] * (conditions[i].*factor);
-      }
-  return sum;
-}
-
-
-
-template <int dim>
-Quadratic
-ContactPath<dim>::sum_over_flanks(const double Condition::*factor) const
-{
-  Quadratic sum         = sum_over(Kind::flank, factor);
-  const Quadratic stuck = sum_over(Kind::stick, factor);
-  for (unsigned int i = 0; i < 3; ++i)
-    sum.c[i] += stuck.c[i];
+    if (piece.active[i])
+      add(conditions[i], constant[i], slope[i]);
   for (const auto &[condition, strength] : adhesions)
-    sum.c[0] += strength * (condition.*factor);
-  return sum;
-}
-
-
-
-template <int dim>
-Quadratic
-ContactPath<dim>::edge_force() const
-{
-  return sum_over(Kind::edge, &Condition::force);
-}
-
-
-
-template <int dim>
-Quadratic
-ContactPath<dim>::flank_force() const
-{
-  return sum_over_flanks(&Condition::force);
-}
-
-
-
-template <int dim>
-Quadratic
-ContactPath<dim>::friction_force() const
-{
-  return sum_over_flanks(&Condition::friction);
-}
-
-
-
-template <int dim>
-Quadratic
-ContactPath<dim>::unfelt_force() const
-{
-  return sum_over_flanks(&Condition::unfelt);
-}
-
-
-
-template <int dim>
-Quadratic
-ContactPath<dim>::walls_force() const
-{
-  return sum_over(Kind::walls, &Condition::force);
-}
-
-
-
-template <int dim>
-Quadratic
-ContactPath<dim>::force_aside() const
-{
-  Quadratic force       = sum_over(Kind::edge, &Condition::aside);
-  const Quadratic flank = sum_over(Kind::flank, &Condition::aside);
-  for (unsigned int i = 0; i < 3; ++i)
-    force.c[i] += flank.c[i];
-  return force;
+    add(condition, strength, 0);
+  return result;
 }
 
 
@@ -292,7 +238,7 @@ ContactPath<dim>::forces_on_vectors(
   std::vector<double> result(basis.vectors().size(), 0.);
   for (unsigned int i = 0; i < conditions.size(); ++i)
     for (const auto &[place, factor] : conditions[i].*along)
-      result[vector_at[place]] += factor * force(i);
+      result[stage->vector_at[place]] += factor * force(i);
   return result;
 }
 
@@ -307,7 +253,7 @@ ContactPath<dim>::forces(const double travel) const
     &Condition::exerted);
   for (const auto &[condition, strength] : adhesions)
     for (const auto &[place, factor] : condition.exerted)
-      result[vector_at[place]] += factor * strength;
+      result[stage->vector_at[place]] += factor * strength;
   return result;
 }
 
@@ -339,7 +285,7 @@ ContactPath<dim>::violation(const std::vector<double> &measured,
         continue;
       double gap = -condition.constant;
       for (const auto &[place, factor] : condition.measured)
-        gap += factor * measured[vector_at[place]];
+        gap += factor * measured[stage->vector_at[place]];
       missing = std::max(missing, -gap / condition.area);
       pull    = std::max(pull, -piece.multipliers(i, travel));
       push    = std::max(push, piece.multipliers(i, travel));
@@ -351,12 +297,7 @@ ContactPath<dim>::violation(const std::vector<double> &measured,
 
 #define INSTANTIATE(dim)                                                      \
   template Quadratic ContactPath<dim>::energy() const;                        \
-  template Quadratic ContactPath<dim>::edge_force() const;                    \
-  template Quadratic ContactPath<dim>::flank_force() const;                   \
-  template Quadratic ContactPath<dim>::friction_force() const;                \
-  template Quadratic ContactPath<dim>::unfelt_force() const;                  \
-  template Quadratic ContactPath<dim>::walls_force() const;                   \
-  template Quadratic ContactPath<dim>::force_aside() const;                   \
+  template ContactResultants ContactPath<dim>::resultants() const;            \
   template double ContactPath<dim>::friction_work(const double, const double) \
     const;                                                                    \
   template Quadratic ContactPath<dim>::friction_work_to(const ContactPath &)  \

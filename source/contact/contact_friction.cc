@@ -25,7 +25,7 @@ void
 ContactPath<dim>::make_adhesion()
 {
   adhesions.clear();
-  moved_by_adhesion.assign(products.m(), 0.);
+  moved_by_adhesion.assign(stage->products.m(), 0.);
   if (adhering.empty())
     return;
   for (const auto &flank : conditions)
@@ -37,9 +37,9 @@ ContactPath<dim>::make_adhesion()
       adhesions.emplace_back(stick_condition(flank.place, flank.wall),
                              slips[wall].way * sliding.adhesion);
       for (const auto &[b, factor] : adhesions.back().first.exerted)
-        for (unsigned int a = 0; a < products.m(); ++a)
+        for (unsigned int a = 0; a < stage->products.m(); ++a)
           moved_by_adhesion[a] +=
-            factor * adhesions.back().second * products(a, b);
+            factor * adhesions.back().second * stage->products(a, b);
     }
 }
 
@@ -88,7 +88,7 @@ ContactPath<dim>::can_stick(const Condition &flank) const
   const auto tangent = stick_condition(flank.place, flank.wall).measured;
   for (const auto &[a, factor] : tangent)
     for (const auto &[b, other] : tangent)
-      compliance += factor * other * products(a, b);
+      compliance += factor * other * stage->products(a, b);
   return compliance > 0;
 }
 

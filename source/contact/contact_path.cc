@@ -15,59 +15,19 @@ namespace Setsudan
 using namespace dealii;
 
 template <int dim>
-ContactPath<dim>::ContactPath(const ContactBasis<dim> &basis,
+ContactPath<dim>::ContactPath(std::unique_ptr<const ContactStage<dim>> own,
                               const BladeProfile &profile,
                               const SlidingBlade &sliding,
-                              const unsigned int row,
-                              const unsigned int n_ahead,
-                              const LAPACKFullMatrix<double> &all_products,
-                              const UntouchedBody &without_contact,
                               const double smallest_step)
-  : basis(basis)
+  : stage(std::move(own))
+  , basis(stage->basis)
   , profile(profile)
   , sliding(sliding)
-  , row(row)
-  , place_of(basis.vectors().size(), numbers::invalid_unsigned_int)
   , smallest_step(smallest_step)
   , facets(2 * basis.hats().size(), 0)
   , slips(2 * basis.hats().size())
   , anchors(basis.n_board_corners())
 {
-  const auto use = [&](const unsigned int vector) {
-    place_of[vector] = vector_at.size();
-    vector_at.push_back(vector);
-  };
-  for (unsigned int h = 0; h < basis.hats().size(); ++h)
-    if (basis.hats()[h].is_there(row + n_ahead))
-      for (unsigned int v = basis.first_vector_of_hat(h);
-           v < basis.first_vector_of_hat(h + 1);
-           ++v)
-        use(v);
-  for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
-    if (basis.edge_nodes()[n].row == row)
-      use(basis.vector_of_edge_node(n));
-  for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
-    use(basis.first_vector_of_earlier_corners() + i);
-  for (unsigned int i = 0; i < dim * basis.n_board_corners(); ++i)
-    use(basis.vector_of_board_corner(0, 0) + i);
-  const unsigned int n = vector_at.size();
-  products.reinit(n);
-  untouched = {{Vector<double>(n), Vector<double>(n)}, without_contact.energy};
-  auto &[constant, slope] = untouched.displacements;
-  for (unsigned int j = 0; j < n; ++j)
-    {
-      for (unsigned int i = j; i < n; ++i)
-        products(i, j) = all_products(std::max(vector_at[i], vector_at[j]),
-                                      std::min(vector_at[i], vector_at[j]));
-      constant[j] = without_contact.displacements.constant[vector_at[j]];
-      slope[j]    = without_contact.displacements.slope[vector_at[j]];
-    }
-  // In tiles, of which both halves stay in the cache.
-  constexpr unsigned int tile = 32;
-  for (unsigned int first = 0; first < n; first += tile)
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = first; i < std::min({first + tile, j, n}); ++i)
-        products(i, j) = products(j, i);
 }
 
 
@@ -80,8 +40,8 @@ ContactPath<dim>::moved(
   const typename ContactBasis<dim>::Component component) const
 {
   const double area        = basis.hats()[h].area;
-  const unsigned int place = place_of_hat(h, wall, component);
-  const auto &free         = untouched.displacements;
+  const unsigned int place = stage->place_of_hat(h, wall, component);
+  const auto &free         = stage->untouched.displacements;
   const auto &by_contact   = piece.displacements;
   return {{(free.constant[place] + moved_by_adhesion[place] +
             by_contact.constant[place]) /

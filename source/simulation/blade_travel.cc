@@ -25,15 +25,14 @@ move_to(const double travel,
 {
   const double slice  = blade.sliding.slice;
   const double speed  = blade.path.speed_to(motion.n_stops);
+  const auto forces   = path.resultants();
   const auto force_at = [&](const double p) {
-    return path.edge_force()(p) + path.flank_force()(p) +
-           slice * path.force_aside()(p);
+    return forces.edge(p) + forces.flanks(p) + slice * forces.aside(p);
   };
   motion.work +=
     (force_at(motion.travel) + force_at(travel)) / 2 * (travel - motion.travel);
-  const Quadratic unfelt = path.unfelt_force();
-  motion.unfelt_work +=
-    (unfelt(motion.travel) + unfelt(travel)) / 2 * (travel - motion.travel);
+  motion.unfelt_work += (forces.unfelt(motion.travel) + forces.unfelt(travel)) /
+                        2 * (travel - motion.travel);
   motion.friction_energy += path.friction_work(motion.travel, travel);
   if (speed > 0)
     motion.time += std::abs(travel - motion.travel) / speed;
@@ -122,10 +121,11 @@ BladeTravel<dim>::solve(CutBody<dim> &body,
   State<dim> state =
     cut_contact->state(*path, row, motion.travel, from.displacement);
   state.motion                 = motion;
-  state.motion->edge_force     = path->edge_force()(motion.travel);
-  state.motion->flank_force    = path->flank_force()(motion.travel);
-  state.motion->friction_force = path->friction_force()(motion.travel);
-  state.motion->force_along    = path->force_aside()(motion.travel);
+  const auto forces            = path->resultants();
+  state.motion->edge_force     = forces.edge(motion.travel);
+  state.motion->flank_force    = forces.flanks(motion.travel);
+  state.motion->friction_force = forces.friction(motion.travel);
+  state.motion->force_along    = forces.aside(motion.travel);
   state.motion->contact_area   = path->contact_area();
   state.motion->shift          = path->shift(motion.travel);
   state.motion->contacts       = path->contacts();

@@ -245,14 +245,12 @@ CutContact<dim>::path(const BladeProfile &of_blade,
                       const ContactPath<dim> *neighbour)
 {
   const auto &products = products_of(n_free[n_split]);
-  auto path            = std::make_unique<ContactPath<dim>>(basis,
-                                                 of_blade,
-                                                 body.scene().blade.sliding,
-                                                 n_split,
-                                                 n_ahead,
-                                                 products,
-                                                 untouched(products, n_split),
-                                                 step);
+  auto path            = std::make_unique<ContactPath<dim>>(
+    std::make_unique<ContactStage<dim>>(
+      basis, n_split, n_ahead, products, untouched(products, n_split)),
+    of_blade,
+    body.scene().blade.sliding,
+    step);
   path->begin(motion, neighbour, measured);
   return path;
 }

@@ -117,7 +117,7 @@ CutContact<dim>::board_load(const ContactPath<dim> &path,
   BoardLoad<dim> load{of_board(forces),
                       of_board(path.foundation_forces(travel)),
                       {},
-                      path.board_force()(travel)};
+                      path.resultants().board(travel)};
   std::map<unsigned int, Tensor<1, dim>> of_piece;
   const auto &corners = body.board()->corners();
   for (unsigned int i = 0; i < corners.size(); ++i)
@@ -187,7 +187,7 @@ CutContact<dim>::pressing_blade(const ContactPath<dim> &path,
     on_unknowns(path.forces(load_factor), 0, basis.vectors().size()));
   // Behind the last row it is gone.
   if (blade.row)
-    blade.opening_force = path.walls_force()(load_factor);
+    blade.opening_force = path.resultants().walls(load_factor);
   return blade;
 }
 

@@ -119,8 +119,8 @@ struct CutBlock
   double
   force() const
   {
-    return path->edge_force()(motion.travel) +
-           path->flank_force()(motion.travel);
+    const auto forces = path->resultants();
+    return forces.edge(motion.travel) + forces.flanks(motion.travel);
   }
 
   double

@@ -56,15 +56,16 @@ struct Columns
             {},
             nullptr)
     , products(products_of_columns(basis))
-    , path(basis,
+    , path(std::make_unique<ContactStage<2>>(
+             basis,
+             body.seam().rows().size(),
+             0,
+             products,
+             UntouchedBody{{Vector<double>(basis.vectors().size()),
+                            Vector<double>(basis.vectors().size())},
+                           {}}),
            profile,
            sliding,
-           body.seam().rows().size(),
-           0,
-           products,
-           {{Vector<double>(basis.vectors().size()),
-             Vector<double>(basis.vectors().size())},
-            {}},
            1e-9)
   {
     profile.facets = {{-10., half_thickness, 0.}};
@@ -81,7 +82,7 @@ struct Columns
   double
   friction() const
   {
-    return path.friction_force()(travel);
+    return path.resultants().friction(travel);
   }
 
   void
@@ -95,7 +96,7 @@ struct Columns
       {
         const double end =
           way > 0 ? std::min(path.end(), goal) : std::max(path.end(), goal);
-        const auto force = path.flank_force();
+        const auto force = path.resultants().flanks;
         work += (force(travel) + force(end)) / 2 * (end - travel);
         taken += path.friction_work(travel, end);
         travel = end;

@@ -3,21 +3,11 @@
 
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/contact/contact_basis.h>
-#include <setsudan/contact/quadratic.h>
 
 #include <array>
 
 namespace Setsudan
 {
-/** A body under its loads without contact, over the parameter of a path: what
- * the vectors of a basis measure, and its potential energy, up to what is the
- * same in all stages of a cut. */
-struct UntouchedBody
-{
-  LinearInParameter displacements;
-  Quadratic energy;
-};
-
 /**
  * A condition of contact at the travel p: vectors of a basis, and what they
  * must not fall below, as far as the displacement is concerned. Its multiplier

@@ -6,6 +6,8 @@
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/contact/contact_basis.h>
 #include <setsudan/contact/contact_condition.h>
+#include <setsudan/contact/contact_resultants.h>
+#include <setsudan/contact/contact_stage.h>
 #include <setsudan/contact/quadratic.h>
 
 #include <array>
@@ -34,23 +36,12 @@ public:
   using Wall = typename ContactBasis<dim>::Wall;
 
   /**
-   * @param basis, profile must live as long.
-   * @param row      the first row that is not split; their number behind the
-   *   last one.
-   * @param n_ahead  the rows behind that one that may split with it.
-   * @param products the work of each vector of the basis as a force in the
-   *   displacement under each other one, in this stage; of this symmetric
-   *   matrix the lower half counts.
-   * @param untouched the body in this stage without contact.
+   * @param profile must live as long, and the basis of the stage.
    * @param smallest_step of the parameter: a travel that is small beside a row.
    */
-  ContactPath(const ContactBasis<dim> &basis,
+  ContactPath(std::unique_ptr<const ContactStage<dim>> stage,
               const BladeProfile &profile,
               const SlidingBlade &sliding,
-              const unsigned int row,
-              const unsigned int n_ahead,
-              const dealii::LAPACKFullMatrix<double> &products,
-              const UntouchedBody &untouched,
               const double smallest_step);
 
   /** Find the contacts where the blade is, beginning with those of another
@@ -91,30 +82,9 @@ public:
   Quadratic
   energy() const;
 
-  /** The blade's force along its direction, over the travel: of the edge, of
-   * the flanks, and the parts of the latter that are friction, and that the
-   * body does not feel. */
-  Quadratic
-  edge_force() const;
-  Quadratic
-  flank_force() const;
-  Quadratic
-  friction_force() const;
-  Quadratic
-  unfelt_force() const;
-
-  /** The force of the board on the body along its normal, over the travel. */
-  Quadratic
-  board_force() const;
-
-  /** The force with which walls of this cut press on each other, or on a blade
-   * without flanks between them. */
-  Quadratic
-  walls_force() const;
-
-  /** The force of the blade on the body along its edge. */
-  Quadratic
-  force_aside() const;
+  /** Those of the contacts that hold now, over the travel. */
+  ContactResultants
+  resultants() const;
 
   /** The energy that friction takes from one travel to another, with the
    * contacts that hold now. */
@@ -172,12 +142,6 @@ private:
   using Condition = ContactCondition<dim>;
   using Kind      = typename Condition::Kind;
 
-  /** Where a vector of a hat is in `products`. */
-  unsigned int
-  place_of_hat(const unsigned int hat,
-               const Wall wall,
-               const typename ContactBasis<dim>::Component component) const;
-
   /** The slope of a wall's facet, as far as pressure acts normally to it. */
   double
   tilt(const unsigned int hat, const Wall wall) const;
@@ -231,10 +195,6 @@ private:
   /** The conditions along the board at the corner of one, begin and end. */
   std::pair<unsigned int, unsigned int>
   grips_of(const unsigned int board_condition) const;
-
-  /** Whether a hat is not supported. */
-  bool
-  can_move(const unsigned int hat) const;
 
   /** Make the conditions for the facets as they are. */
   void
@@ -371,14 +331,6 @@ private:
     return facets[place_of_wall(hat, wall)];
   }
 
-  /** A sum over the conditions of a kind, each times its multiplier. */
-  Quadratic
-  sum_over(const Kind kind, const double Condition::*factor) const;
-
-  /** That over the conditions of flanks, and what adheres. */
-  Quadratic
-  sum_over_flanks(const double Condition::*factor) const;
-
   /** The mean of a component of a wall's displacement, over the travel. */
   std::array<double, 2>
   moved(const unsigned int hat,
@@ -407,17 +359,10 @@ private:
               const double along,
               const double aside) const;
 
+  const std::unique_ptr<const ContactStage<dim>> stage;
   const ContactBasis<dim> &basis;
   const BladeProfile &profile;
   const SlidingBlade sliding;
-  const unsigned int row;
-  dealii::LAPACKFullMatrix<double> products;
-  /** Where the vectors of the basis that the stage uses are in `products`. */
-  std::vector<unsigned int> place_of;
-  /** The vector of the basis at each place. */
-  std::vector<unsigned int> vector_at;
-  /** Without contact, with displacements by place. */
-  UntouchedBody untouched;
   const double smallest_step;
   /** Where a blade that shifts was when this began, and stays while nothing
    * touches it. */
@@ -443,6 +388,7 @@ private:
   std::vector<Condition> conditions;
   std::unique_ptr<Complementarity> problem;
   Complementarity::Piece piece;
+  /** As energy() has found it for the piece; nothing before it is asked. */
   mutable std::optional<Quadratic> energy_of_piece;
   double end_of_piece = std::numeric_limits<double>::infinity();
   /** The condition that ends the piece, or the one that begins to slip and its
