@@ -158,11 +158,13 @@ std::string
 describe_solve(const CutBody<dim> &body)
 {
   const auto strategy = body.cut_strategy();
+  const std::string each =
+    body.scene().has_contact() ? "with each force of contact, " : "";
   return (strategy.kind == CutStrategy::condensed
             ? "  all rows are solved from one factorization (CHOLMOD), "
               "condensed "
               "onto the cut, "
-            : "  every row is solved anew, " +
+            : "  every row is solved anew, " + each +
                 description(body.solver_choice().kind) + ", ") +
          strategy.reason + ".";
 }

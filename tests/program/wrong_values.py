@@ -283,6 +283,7 @@ WRONG_BOARD = [
     ("Board/Plane", "", "a point and a normal where Board/Friction is given",
      {"Board/Friction": "0.4", "Support/Fixed faces": "bottom"}),
     ("Accuracy/Target", "0.1", "0 on a board"),
+    ("Division/Solve", "every row anew", "auto or condensed on a board"),
     ("Board/Plane", "0, 0, 0; 0, 0, 1", "nothing where a body is cut with Blade/Drive",
      {"Cut/Surfaces": "y:1", "Blade/Edge loads": "0:10"}),
 ]
@@ -296,7 +297,6 @@ TRAVEL = {
 # A blade that pushes only, under given forces.
 WEDGED = {"Division/Split rows": "wedged"}
 WRONG_WEDGED = [
-    ("Division/Solve", "every row anew", "auto or condensed where Division/Split rows"),
     ("Accuracy/Target", "0.1", "0 where Division/Split rows is wedged"),
     ("Blade/Shape", "wedge", "line where Blade/Drive is force"),
     ("Blade/Thickness", "-1", "not negative"),
@@ -358,7 +358,6 @@ WRONG_TRAVEL = [
     ("Blade/Edge loads", "0:1", "nothing, since the force is the reaction"),
     ("Yield/Check", "once", "every row where Blade/Drive"),
     ("Division/Load control", "ramp", "constant where Blade/Drive"),
-    ("Division/Solve", "every row anew", "auto or condensed where Blade/Drive"),
     ("Division/Look-ahead", "-1", PATTERN),
     ("Cut/Surfaces", "", "a cut where Blade/Drive"),
     ("Accuracy/Target", "0.1", "0 where Blade/Drive"),

@@ -253,6 +253,19 @@ public:
   std::shared_ptr<CondensedSolver<dim>>
   condensed_solver(const unsigned int n_split);
 
+  /** The closed constraints while the first rows of the newest cut are split.
+   *
+   * @throw FloatingPieceError where that leaves a part which nothing holds. */
+  Constraints
+  constraints_after(const unsigned int n_split) const;
+
+  /** How often more has changed so far than the ties of a cut. */
+  unsigned int
+  n_changes() const
+  {
+    return changes;
+  }
+
   /** How a single state is solved, and how those of the newest cut. */
   Choice<SolverKind>
   solver_choice() const;
@@ -270,6 +283,10 @@ private:
     const Cut<dim> *cut;
     CutSurface<dim> surface;
   };
+
+  /** Forget solvers that have been prepared for what was before. */
+  void
+  forget_solvers();
 
   /** Make the model on the present mesh. */
   void
@@ -319,6 +336,7 @@ private:
   std::vector<EntryHat<dim>> present_entry_hats;
   SolverSelection<dim> selection;
   bool has_single_states = false;
+  unsigned int changes   = 0;
 
   std::vector<BegunCut> begun_cuts;
   /** The pairs of the cuts before the newest one, which are free. */
