@@ -47,19 +47,9 @@ CutBody<dim>::CutBody(const Scene<dim> &scene, const MPI_Comm communicator)
 
 template <int dim>
 void
-CutBody<dim>::forget_solvers()
-{
-  selection.forget();
-  ++changes;
-}
-
-
-
-template <int dim>
-void
 CutBody<dim>::rebuild()
 {
-  forget_solvers();
+  selection.forget();
   cells_at_seam.reset();
   present_model =
     std::make_unique<ElasticModel<dim>>(present_mesh,
@@ -102,7 +92,7 @@ CutBody<dim>::begin_cut(const Cut<dim> &cut)
     }
   if (surface.empty())
     return false;
-  forget_solvers();
+  selection.forget();
   if (newest_seam)
     finished_pairs.push_back(newest_seam->pairs());
   split_mesh_to_come = split_mesh(present_mesh, surface);
@@ -255,7 +245,7 @@ CutBody<dim>::update_parts()
                                       *newest_seam,
                                       *present_model);
   if (changed)
-    forget_solvers();
+    selection.forget();
 }
 
 

@@ -288,6 +288,18 @@ WRONG_BOARD = [
      {"Cut/Surfaces": "y:1", "Blade/Edge loads": "0:10"}),
 ]
 
+# A blade that travels to the board, in a body that supports hold besides.
+BLADE_ON_BOARD = [
+    ("Blade/Travel", "5, 10.5", "positions of at most 10, at which the edge meets the "
+     "board"),
+]
+# A cut that leaves out what is above it; by the number of dimensions.
+INSIDE = {
+    2: ("Cut/Extent", "box : 0, 0, 10, 6", "begins inside it", {"Body/Elements": "2, 4"}),
+    3: ("Cut/Extent", "box : 0, 0, 0, 10, 10, 6", "begins inside it",
+        {"Body/Elements": "1, 2, 4"}),
+}
+
 # A blade that travels, and what it cannot go with.
 TRAVEL = {
     "Blade/Drive": "travel", "Blade/Shape": "wedge", "Blade/Edge loads": "",

@@ -263,7 +263,7 @@ public:
   unsigned int
   n_changes() const
   {
-    return changes;
+    return selection.n_forgotten();
   }
 
   /** How a single state is solved, and how those of the newest cut. */
@@ -283,10 +283,6 @@ private:
     const Cut<dim> *cut;
     CutSurface<dim> surface;
   };
-
-  /** Forget solvers that have been prepared for what was before. */
-  void
-  forget_solvers();
 
   /** Make the model on the present mesh. */
   void
@@ -336,7 +332,6 @@ private:
   std::vector<EntryHat<dim>> present_entry_hats;
   SolverSelection<dim> selection;
   bool has_single_states = false;
-  unsigned int changes   = 0;
 
   std::vector<BegunCut> begun_cuts;
   /** The pairs of the cuts before the newest one, which are free. */
