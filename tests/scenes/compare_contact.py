@@ -19,7 +19,7 @@ ITERATIVE = (*ANEW, "Solver/Method=iterative")
 # Small ones, since processes wait for each other in each iteration.
 SCENES = {
     "blade_wedge": ("Body/Elements=4, 4", "Cut/Surfaces=x:2"),
-    "blade_inclined": ("Body/Elements=2, 1, 3", "Cut/Surfaces=x:1"),
+    "blade_inclined": ("Body/Elements=2, 2, 3", "Cut/Surfaces=x:1"),
 }
 
 
