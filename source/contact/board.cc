@@ -193,6 +193,63 @@ BoardContacts<dim>::springs() const
 
 template <int dim>
 double
+travel_to_board(const BoardParameters<dim> &board,
+                const CoarseMesh<dim> &mesh,
+                const Cut<dim> &cut)
+{
+  const double approach = -(cut.edge.direction * board.normal);
+  // Less is round-off of a direction along the board.
+  if (!board.is_given || approach < 1e-10)
+    return std::numeric_limits<double>::infinity();
+  double entry  = std::numeric_limits<double>::max();
+  double travel = entry;
+  for (const auto &face : cut.surface.faces)
+    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+      {
+        const unsigned int corner =
+          GeometryInfo<dim>::face_to_cell_vertices(face.minus.second, v);
+        const Point<dim> &vertex =
+          mesh.vertices[mesh.cells[face.minus.first].vertices[corner]];
+        const double to_vertex = cut.edge.travel(vertex);
+        entry                  = std::min(entry, to_vertex);
+        travel =
+          std::min(travel, to_vertex + board.distance(vertex) / approach);
+      }
+  return travel - entry;
+}
+
+
+
+template <int dim>
+double
+last_travel_on_board(const BoardParameters<dim> &board,
+                     const CoarseMesh<dim> &mesh,
+                     const Cut<dim> &cut)
+{
+  return 1.01 * travel_to_board(board, mesh, cut);
+}
+
+
+
+template <int dim>
+bool
+carries_something(const BoardContacts<dim> &board,
+                  const ElasticModel<dim> &model)
+{
+  const auto vectors = board.vectors();
+  bool carries       = false;
+  for (unsigned int corner = 0; corner < board.corners().size(); ++corner)
+    for (const auto &[unknown, factor] : vectors[dim * corner])
+      carries = carries || (model.discretization.owned.is_element(unknown) &&
+                            !model.supports.is_constrained(unknown));
+  return Utilities::MPI::max<int>(carries, model.discretization.communicator) ==
+         1;
+}
+
+
+
+template <int dim>
+double
 depth_beyond_board(const ElasticModel<dim> &model,
                    const BoardParameters<dim> &board,
                    const LA::Vector &displacement)
@@ -219,16 +276,21 @@ depth_beyond_board(const ElasticModel<dim> &model,
 
 
 
-template double
-depth_beyond_board(const ElasticModel<2> &,
-                   const BoardParameters<2> &,
-                   const LA::Vector &);
-template double
-depth_beyond_board(const ElasticModel<3> &,
-                   const BoardParameters<3> &,
-                   const LA::Vector &);
-template struct BoardParameters<2>;
-template struct BoardParameters<3>;
-template class BoardContacts<2>;
-template class BoardContacts<3>;
+#define INSTANTIATE(dim)                                                      \
+  template double travel_to_board(                                            \
+    const BoardParameters<dim> &, const CoarseMesh<dim> &, const Cut<dim> &); \
+  template double last_travel_on_board(                                       \
+    const BoardParameters<dim> &, const CoarseMesh<dim> &, const Cut<dim> &); \
+  template bool carries_something(const BoardContacts<dim> &,                 \
+                                  const ElasticModel<dim> &);                 \
+  template double depth_beyond_board(const ElasticModel<dim> &,               \
+                                     const BoardParameters<dim> &,            \
+                                     const LA::Vector &);                     \
+  template struct BoardParameters<dim>;                                       \
+  template class BoardContacts<dim>;
+
+INSTANTIATE(2)
+INSTANTIATE(3)
+
+#undef INSTANTIATE
 } // namespace Setsudan

@@ -336,6 +336,30 @@ ContactBasis<dim>::first_vector_of_hat(const unsigned int hat) const
 
 
 
+template <int dim>
+std::vector<unsigned int>
+ContactBasis<dim>::vectors_of_stage(const unsigned int n_split,
+                                    const unsigned int n_ahead) const
+{
+  std::vector<unsigned int> vectors;
+  for (unsigned int h = 0; h < all_hats.size(); ++h)
+    if (all_hats[h].is_there(n_split + n_ahead))
+      for (unsigned int v = first_vector_of_hat(h);
+           v < first_vector_of_hat(h + 1);
+           ++v)
+        vectors.push_back(v);
+  for (unsigned int n = 0; n < all_edge_nodes.size(); ++n)
+    if (all_edge_nodes[n].row == n_split)
+      vectors.push_back(vector_of_edge_node(n));
+  for (unsigned int v = first_vector_of_earlier_corners();
+       v < all_vectors.size();
+       ++v)
+    vectors.push_back(v);
+  return vectors;
+}
+
+
+
 template class ContactBasis<2>;
 template class ContactBasis<3>;
 } // namespace Setsudan

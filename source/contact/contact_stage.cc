@@ -16,9 +16,11 @@ ContactStage<dim>::ContactStage(const ContactBasis<dim> &basis,
   : basis(basis)
   , row(row)
   , place_of(basis.vectors().size(), numbers::invalid_unsigned_int)
+  , vector_at(basis.vectors_of_stage(row, n_ahead))
 {
-  find_places(n_ahead);
   const unsigned int n = vector_at.size();
+  for (unsigned int place = 0; place < n; ++place)
+    place_of[vector_at[place]] = place;
   products.reinit(n);
   untouched = {{Vector<double>(n), Vector<double>(n)}, without_contact.energy};
   auto &[constant, slope] = untouched.displacements;
@@ -36,31 +38,6 @@ ContactStage<dim>::ContactStage(const ContactBasis<dim> &basis,
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = first; i < std::min({first + tile, j, n}); ++i)
         products(i, j) = products(j, i);
-}
-
-
-
-template <int dim>
-void
-ContactStage<dim>::find_places(const unsigned int n_ahead)
-{
-  const auto use = [&](const unsigned int vector) {
-    place_of[vector] = vector_at.size();
-    vector_at.push_back(vector);
-  };
-  for (unsigned int h = 0; h < basis.hats().size(); ++h)
-    if (basis.hats()[h].is_there(row + n_ahead))
-      for (unsigned int v = basis.first_vector_of_hat(h);
-           v < basis.first_vector_of_hat(h + 1);
-           ++v)
-        use(v);
-  for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
-    if (basis.edge_nodes()[n].row == row)
-      use(basis.vector_of_edge_node(n));
-  for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
-    use(basis.first_vector_of_earlier_corners() + i);
-  for (unsigned int i = 0; i < dim * basis.n_board_corners(); ++i)
-    use(basis.vector_of_board_corner(0, 0) + i);
 }
 
 

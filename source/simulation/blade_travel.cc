@@ -147,7 +147,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   CutContact<dim> &of_cut = this->contact(body, from);
   if (!path)
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
-  const double goal = goal_of(motion);
+  const double goal = goal_of(body, motion);
   if (goal != motion.travel)
     motion.excess_energy +=
       path->head(goal > motion.travel ? 1 : -1, motion.travel);
@@ -155,7 +155,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
     search->begin(body, of_cut, row, *path, motion);
   const auto split       = follow(motion, goal);
   motion.n_rows_to_split = split ? split->n_rows : 0;
-  if (!split && std::isfinite(goal))
+  if (!split && motion.n_stops < this->scene.blade.path.stops.size())
     reach_stop(motion);
   State<dim> state = solve(body, row, motion, from);
   state.yields     = split.has_value();
@@ -195,11 +195,14 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
 
 template <int dim>
 double
-BladeTravel<dim>::goal_of(const BladeMotion &motion) const
+BladeTravel<dim>::goal_of(const CutBody<dim> &body,
+                          const BladeMotion &motion) const
 {
   const auto &stops = this->scene.blade.path.stops;
-  return motion.n_stops < stops.size() ? stops[motion.n_stops].position
-                                       : infinity;
+  return motion.n_stops < stops.size()
+           ? stops[motion.n_stops].position
+           : last_travel_on_board(
+               this->scene.board, this->scene.body.mesh, body.cut());
 }
 
 

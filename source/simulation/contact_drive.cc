@@ -33,7 +33,7 @@ template <int dim>
 CutContact<dim> &
 ContactDrive<dim>::contact(CutBody<dim> &body, const State<dim> &from)
 {
-  if (!cut_contact || !cut_contact->is_of(body))
+  if (!cut_contact || !cut_contact->is_of_present_body())
     {
       path.reset();
       cut_contact =

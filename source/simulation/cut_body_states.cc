@@ -86,10 +86,11 @@ CutBody<dim>::cut_strategy() const
   if (newest_seam && !is_finished)
     size = {static_cast<unsigned int>(newest_seam->rows().size()),
             2 * dim * newest_seam->n_double_pairs(),
-            the_scene.has_contact()};
+            the_scene.has_contact(),
+            false};
   if (present_board)
     {
-      size.has_contact = true;
+      size.has_contact = size.has_foundation = true;
       size.n_interface_unknowns += dim * present_board->corners().size();
     }
   return choose_cut_strategy(
@@ -233,22 +234,11 @@ way_without_contact(const Scene<dim> &scene)
 
 
 template <int dim>
-std::shared_ptr<CondensedSolver<dim>>
-CutBody<dim>::condensed_solver(const unsigned int n_split)
+typename CutBody<dim>::Constraints
+CutBody<dim>::constraints_after(const unsigned int n_split) const
 {
-  const auto of_constraints = [this](const Constraints &constraints) {
-    const auto solver = std::dynamic_pointer_cast<CondensedSolver<dim>>(
-      this->solver(std::make_shared<const Constraints>(constraints)));
-    if (!solver)
-      throw SolverError(
-        "Contact cannot be found on the unknowns of this cut, since they are "
-        "tied to others. Set " +
-        way_without_contact(the_scene) + ".");
-    return solver;
-  };
   if (!newest_seam)
-    return of_constraints(constraints());
-  const auto states = newest_seam->states_after(n_split, split_state());
+    return constraints();
   if (!holds_all_after(n_split))
     throw FloatingPieceError(
       "The cut frees a part that nothing holds when row " +
@@ -256,7 +246,26 @@ CutBody<dim>::condensed_solver(const unsigned int n_split)
       " splits, and the blade would push it away. Hold it in subsection "
       "Support, or set " +
       way_without_contact(the_scene) + ".");
-  return of_constraints(constraints(states));
+  return constraints(newest_seam->states_after(n_split, split_state()));
+}
+
+
+
+template <int dim>
+std::shared_ptr<CondensedSolver<dim>>
+CutBody<dim>::condensed_solver(const unsigned int n_split)
+{
+  const auto solver =
+    std::dynamic_pointer_cast<CondensedSolver<dim>>(this->solver(
+      std::make_shared<const Constraints>(constraints_after(n_split))));
+  if (!solver)
+    throw SolverError(
+      "Contact cannot be found on the unknowns of this cut, since they are "
+      "tied to others. Set " +
+      (present_board ? ""
+                     : std::string("Division/Solve = every row anew or ")) +
+      way_without_contact(the_scene) + ".");
+  return solver;
 }
 
 
@@ -287,6 +296,8 @@ CutBody<dim>::condensed_solver()
   template std::shared_ptr<TangentSolver> CutBody<dim>::solver_without(       \
     const unsigned int);                                                      \
   template bool CutBody<dim>::holds_all_after(const unsigned int) const;      \
+  template CutBody<dim>::Constraints CutBody<dim>::constraints_after(         \
+    const unsigned int) const;                                                \
   template std::vector<EntryHat<dim>> CutBody<dim>::find_entry_hats() const;  \
   template std::shared_ptr<CondensedSolver<dim>>                              \
   CutBody<dim>::condensed_solver();                                           \

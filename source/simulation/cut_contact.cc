@@ -42,7 +42,7 @@ small_step(const CutBody<dim> &body)
  * behind the last one, and so may pieces be, unless an energy asks for them. */
 template <int dim>
 unsigned int
-last_stage(const CutBody<dim> &body)
+find_last_stage(const CutBody<dim> &body)
 {
   if (!body.has_cut())
     return 0;
@@ -125,23 +125,31 @@ CutContact<dim>::CutContact(CutBody<dim> &body,
   : body(body)
   , profile(profile)
   , basis(make_basis(body, profile))
-  // With all rows split, which says whether all that is cut is held.
-  , solver(body.condensed_solver(last_stage(body)))
+  , last_stage(find_last_stage(body))
   , step(small_step(body))
+  , compliance(StageCompliance<dim>::make(body, stage_forces(), last_stage))
 {
-  auto vectors = basis.vectors();
-  for (unsigned int n = 0; n <= last_stage(body); ++n)
-    {
-      n_free.push_back(body.condensed_solver(n)->n_free());
-      if (has_forces())
-        vectors.push_back(forces_on_edge(body, n));
-    }
-  compliance =
-    solver->compliance(vectors, body.model().loads, body.model().lift);
-  of_stage.matrix.reinit(vectors.size() + 1);
-  ahead = of_stage;
   if (body.board())
     measured = measure(displacement);
+}
+
+
+
+template <int dim>
+StageForces
+CutContact<dim>::stage_forces() const
+{
+  StageForces forces{basis.vectors(), {}};
+  if (has_forces())
+    for (unsigned int n = 0; n <= last_stage; ++n)
+      forces.vectors.push_back(forces_on_edge(body, n));
+  forces.of_stage = [this](const unsigned int n_split) {
+    auto vectors = basis.vectors_of_stage(n_split, 0);
+    if (has_forces())
+      vectors.push_back(basis.vectors().size() + n_split);
+    return vectors;
+  };
+  return forces;
 }
 
 
@@ -160,56 +168,6 @@ CutContact<dim>::measure(const LA::Vector &displacement) const
     }
   Utilities::MPI::sum(result, body.communicator(), result);
   return result;
-}
-
-
-
-template <int dim>
-bool
-CutContact<dim>::is_of(CutBody<dim> &now) const
-{
-  return solver == now.condensed_solver();
-}
-
-
-
-template <int dim>
-void
-CutContact<dim>::advance(Products &products, const unsigned int n) const
-{
-  if (n == products.n_summed)
-    return;
-  // Of one process, since round-off decides where contacts change.
-  const MPI_Comm communicator = body.communicator();
-  if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    compliance.add_products(products.n_summed, n, products.matrix);
-  Utilities::MPI::broadcast(
-    &products.matrix(0, 0), products.matrix.n_elements(), 0, communicator);
-  products.n_summed = n;
-}
-
-
-
-template <int dim>
-const LAPACKFullMatrix<double> &
-CutContact<dim>::products_of(const unsigned int n)
-{
-  const bool is_ahead = n > last_asked;
-  last_asked          = n;
-  if (is_ahead)
-    {
-      if (ahead.n_summed > n || ahead.n_summed < of_stage.n_summed)
-        ahead = of_stage;
-      advance(ahead, n);
-      return ahead.matrix;
-    }
-  if (n < of_stage.n_summed)
-    {
-      of_stage.matrix   = 0;
-      of_stage.n_summed = 0;
-    }
-  advance(of_stage, n);
-  return of_stage.matrix;
 }
 
 
@@ -244,7 +202,7 @@ CutContact<dim>::path(const BladeProfile &of_blade,
                       const BladeMotion &motion,
                       const ContactPath<dim> *neighbour)
 {
-  const auto &products = products_of(n_free[n_split]);
+  const auto &products = compliance->products(n_split);
   auto path            = std::make_unique<ContactPath<dim>>(
     std::make_unique<ContactStage<dim>>(
       basis, n_split, n_ahead, products, untouched(products, n_split)),
@@ -264,7 +222,7 @@ CutContact<dim>::untouched(const LAPACKFullMatrix<double> &products,
 {
   const unsigned int n = basis.vectors().size(), loads = products.n() - 1;
   UntouchedBody result{{Vector<double>(n), Vector<double>(n)}, {}};
-  const auto &in_lift = compliance.work_in_lift;
+  const auto &in_lift = compliance->work_in_lift();
   result.energy.c[0]  = -products(loads, loads) / 2;
   for (unsigned int v = 0; v < n; ++v)
     result.displacements.constant[v] = products(loads, v) + in_lift[v];

@@ -158,11 +158,13 @@ std::string
 describe_solve(const CutBody<dim> &body)
 {
   const auto strategy = body.cut_strategy();
+  const std::string each =
+    body.scene().has_contact() ? "with each force of contact, " : "";
   return (strategy.kind == CutStrategy::condensed
             ? "  all rows are solved from one factorization (CHOLMOD), "
               "condensed "
               "onto the cut, "
-            : "  every row is solved anew, " +
+            : "  every row is solved anew, " + each +
                 description(body.solver_choice().kind) + ", ") +
          strategy.reason + ".";
 }
@@ -191,6 +193,13 @@ describe_arrest(const Scene<dim> &scene,
       return line.str() + ".";
     }
   line << "Arrested at row " << event.row + 1 << " of " << n_rows << ": ";
+  if (event.motion &&
+      event.motion->travel >=
+        (1 - 1e-9) * last_travel_on_board(
+                       scene.board, scene.body.mesh, scene.cut.cuts[event.cut]))
+    return line.str() +
+           "the blade's edge is on the board, and the rest of the cut is "
+           "pressed together under it and does not yield.";
   if (event.motion)
     return line.str() + "however far the blade travels, " +
            (scene.yield.compares_energies()

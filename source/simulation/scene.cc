@@ -8,6 +8,7 @@
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/scene.h>
+#include <setsudan/simulation/travel_checks.h>
 #include <setsudan/space/rigid_modes.h>
 #include <sstream>
 
@@ -169,39 +170,13 @@ check_board(const Parameters &parameters, const Scene<dim> &scene)
                      "more than 0 where no support holds the body");
   parameters.require(
     scene.accuracy.target == 0, "Accuracy", "Target", "0 on a board");
-}
-
-
-
-/** Refuse a blade that is wider than the body across a cut. */
-template <int dim>
-void
-check_blade_fits(const Parameters &parameters,
-                 const Scene<dim> &scene,
-                 const Cut<dim> &cut)
-{
-  parameters.require(cut.edge.is_planar || scene.blade.sliding.is_guided,
-                     "Blade",
-                     "Guide",
-                     "fixed for a cut without a plane, as '" + cut.text + "'");
-  if (!cut.edge.is_planar)
-    return;
-  double first = std::numeric_limits<double>::max(), last = -first;
-  for (const auto &vertex : scene.body.mesh.vertices)
-    {
-      const double across = vertex * cut.edge.normal;
-      first               = std::min(first, across);
-      last                = std::max(last, across);
-    }
-  const bool is_profile = parameters.text("Blade", "Shape") == "profile";
-  parameters.require(
-    scene.blade.profile.thickness() < last - first,
-    "Blade",
-    is_profile ? "Profile" : "Thickness",
-    (is_profile
-       ? "half thicknesses of less than " + short_text((last - first) / 2)
-       : "less than " + short_text(last - first)) +
-      ", or the blade is wider than the body is across '" + cut.text + "'");
+  // Of the springs that carry the body meanwhile other solvers know nothing.
+  parameters.require(scene.solver.cut_solve !=
+                       SolverParameters::CutSolve::row_by_row,
+                     "Division",
+                     "Solve",
+                     "auto or condensed on a board, whose contact is found "
+                     "from one factorization");
 }
 
 
@@ -214,46 +189,8 @@ check_contact(const Parameters &parameters, const Scene<dim> &scene)
   const std::string where = scene.blade.travels
                               ? " where Blade/Drive is travel"
                               : " where Division/Split rows is wedged";
-  parameters.require(scene.solver.cut_solve !=
-                       SolverParameters::CutSolve::row_by_row,
-                     "Division",
-                     "Solve",
-                     "auto or condensed" + where);
   parameters.require(
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
-}
-
-
-
-/** Refuse what a blade that travels cannot do. */
-template <int dim>
-void
-check_travel(const Parameters &parameters, const Scene<dim> &scene)
-{
-  const auto require = [&](const bool holds,
-                           const std::string &subsection,
-                           const std::string &name,
-                           const std::string &allowed) {
-    parameters.require(
-      holds, subsection, name, allowed + " where Blade/Drive is travel");
-  };
-  require(!scene.cut.cuts.empty(), "Cut", "Surfaces", "a cut");
-  for (const auto &loads : scene.blade.edge_loads)
-    require(loads.empty(),
-            "Blade",
-            "Edge loads",
-            "nothing, since the force is the reaction,");
-  for (const auto &cut : scene.cut.cuts)
-    check_blade_fits(parameters, scene, cut);
-  require(scene.yield.check == YieldParameters::Check::every_row,
-          "Yield",
-          "Check",
-          "every row");
-  require(scene.division.load_control ==
-            DivisionParameters::LoadControl::constant,
-          "Division",
-          "Load control",
-          "constant");
 }
 } // namespace
 

@@ -65,7 +65,8 @@ WedgedForce<dim>::finish(CutBody<dim> &body, const State<dim> &from)
 {
   CutContact<dim> *const of_cut = this->cut_contact.get();
   State<dim> state =
-    of_cut != nullptr && of_cut->has_last_stage() && of_cut->is_of(body)
+    of_cut != nullptr && of_cut->has_last_stage() &&
+        of_cut->is_of_present_body()
       ? of_cut->state(*of_cut->path_without_blade({}, this->path.get()),
                       body.seam().rows().size(),
                       0,

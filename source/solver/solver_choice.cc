@@ -24,11 +24,42 @@ direct_kind(const SystemSize &size)
   return size.n_processes == 1 ? SolverKind::cholesky : SolverKind::mumps;
 }
 
+Choice<CutStrategy>
+row_by_row(const std::string &reason)
+{
+  return {CutStrategy::row_by_row, reason};
+}
+
 /** The Schur complement of the two sides, a block each, and its factor. */
 double
 interface_memory(const double n)
 {
   return sizeof(double) * n * n * (1 + 0.5 + 1);
+}
+
+/** The same where contact is found: a solve for each vector of contact in each
+ * stage takes so much longer that one factorization is taken where it fits. */
+Choice<CutStrategy>
+choose_for_contact(const SolverParameters &parameters,
+                   const SystemSize &size,
+                   const CutSize &cut)
+{
+  using CutSolve                      = SolverParameters::CutSolve;
+  const Choice<CutStrategy> condensed = {
+    CutStrategy::condensed,
+    std::string("on which the blade's contact is found") +
+      (size.n_processes > 1 ? " by the first process" : "")};
+  if (cut.has_foundation || parameters.cut_solve == CutSolve::condensed)
+    return condensed;
+  if (parameters.cut_solve == CutSolve::row_by_row)
+    return row_by_row("as Division/Solve says");
+  if (size.n_unknowns > most_factored_unknowns)
+    return row_by_row("since more than " +
+                      std::to_string(most_factored_unknowns) +
+                      " unknowns are too many to be factored");
+  if (interface_memory(cut.n_interface_unknowns) > most_interface_memory)
+    return row_by_row("since the cut has too many unknowns for the memory");
+  return condensed;
 }
 } // namespace
 
@@ -87,16 +118,11 @@ choose_cut_strategy(const SolverParameters &parameters,
                     const SystemSize &size,
                     const CutSize &cut)
 {
-  using CutSolve        = SolverParameters::CutSolve;
-  const auto row_by_row = [](const std::string &reason) {
-    return Choice<CutStrategy>{CutStrategy::row_by_row, reason};
-  };
+  using CutSolve = SolverParameters::CutSolve;
   if (cut.n_interface_unknowns == 0)
     return row_by_row("since no ties are left to take off");
   if (cut.has_contact)
-    return {CutStrategy::condensed,
-            std::string("on which the blade's contact is found") +
-              (size.n_processes > 1 ? " by the first process" : "")};
+    return choose_for_contact(parameters, size, cut);
   if (parameters.cut_solve == CutSolve::row_by_row)
     return row_by_row("as Division/Solve says");
   if (size.n_processes > 1)

@@ -45,7 +45,11 @@ SolverParameters::declare(ParameterHandler &handler)
                     "is factored once for all rows and condensed onto the cut, "
                     "which is exact, and takes memory for all unknowns of the "
                     "cut; every row anew: by Solver/Method, row by row; auto: "
-                    "by the sizes. Several processes solve every row anew.");
+                    "by the sizes. Several processes solve every row anew. "
+                    "Where contact is found (Blade/Drive = travel, or wedged) "
+                    "auto condenses what can be factored, on any number of "
+                    "processes; every row anew then takes a solve for each "
+                    "force of contact in each row.");
 }
 
 

@@ -28,6 +28,7 @@ SolverSelection<dim>::forget()
   condensed.reset();
   learn();
   single.reset();
+  ++forgotten;
 }
 
 

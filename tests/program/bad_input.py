@@ -9,8 +9,9 @@ import sys
 
 from program_cases import PLANE_SCENE, SCENE, Case, run_cases, scene_text
 from program_cases import wrong_text, wrong_value
-from wrong_values import ON_BOARD, TRAVEL, WEDGED, WRONG_BOARD, WRONG_IN_SPACE
-from wrong_values import WRONG_SLICE, WRONG_TRAVEL, WRONG_VALUES, WRONG_WEDGED
+from wrong_values import BLADE_ON_BOARD, INSIDE, ON_BOARD, TRAVEL, WEDGED
+from wrong_values import WRONG_BOARD, WRONG_IN_SPACE, WRONG_SLICE, WRONG_TRAVEL
+from wrong_values import WRONG_VALUES, WRONG_WEDGED
 
 GOOD_TEXT, LINES = scene_text(SCENE)
 N_LINES = len(GOOD_TEXT.splitlines())
@@ -144,6 +145,13 @@ def travel():
             yield wrong_value(path, value, allowed, {**base, **TRAVEL}, *also)
         for path, value, allowed, *also in WRONG_WEDGED:
             yield wrong_value(path, value, allowed, {**base, **WEDGED}, *also)
+    for dimension, base, plane in ((3, SCENE, "0, 0, 0; 0, 0, 1"),
+                                   (2, PLANE_SCENE, "0, 0; 0, 1")):
+        path, value, allowed, also = INSIDE[dimension]
+        yield wrong_value(path, value, allowed, {**base, **TRAVEL}, also)
+        for path, value, allowed in BLADE_ON_BOARD:
+            yield wrong_value(path, value, allowed,
+                              {**base, **TRAVEL, "Board/Plane": plane})
     for path, value, allowed, *also in WRONG_IN_SPACE:
         yield wrong_value(path, value, allowed, {**SCENE, **TRAVEL}, *also)
     for path, value, allowed in WRONG_SLICE:

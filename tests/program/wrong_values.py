@@ -283,9 +283,22 @@ WRONG_BOARD = [
     ("Board/Plane", "", "a point and a normal where Board/Friction is given",
      {"Board/Friction": "0.4", "Support/Fixed faces": "bottom"}),
     ("Accuracy/Target", "0.1", "0 on a board"),
+    ("Division/Solve", "every row anew", "auto or condensed on a board"),
     ("Board/Plane", "0, 0, 0; 0, 0, 1", "nothing where a body is cut with Blade/Drive",
      {"Cut/Surfaces": "y:1", "Blade/Edge loads": "0:10"}),
 ]
+
+# A blade that travels to the board, in a body that supports hold besides.
+BLADE_ON_BOARD = [
+    ("Blade/Travel", "5, 10.5", "positions of at most 10, at which the edge meets the "
+     "board"),
+]
+# A cut that leaves out what is above it; by the number of dimensions.
+INSIDE = {
+    2: ("Cut/Extent", "box : 0, 0, 10, 6", "begins inside it", {"Body/Elements": "2, 4"}),
+    3: ("Cut/Extent", "box : 0, 0, 0, 10, 10, 6", "begins inside it",
+        {"Body/Elements": "1, 2, 4"}),
+}
 
 # A blade that travels, and what it cannot go with.
 TRAVEL = {
@@ -296,7 +309,6 @@ TRAVEL = {
 # A blade that pushes only, under given forces.
 WEDGED = {"Division/Split rows": "wedged"}
 WRONG_WEDGED = [
-    ("Division/Solve", "every row anew", "auto or condensed where Division/Split rows"),
     ("Accuracy/Target", "0.1", "0 where Division/Split rows is wedged"),
     ("Blade/Shape", "wedge", "line where Blade/Drive is force"),
     ("Blade/Thickness", "-1", "not negative"),
@@ -358,7 +370,6 @@ WRONG_TRAVEL = [
     ("Blade/Edge loads", "0:1", "nothing, since the force is the reaction"),
     ("Yield/Check", "once", "every row where Blade/Drive"),
     ("Division/Load control", "ramp", "constant where Blade/Drive"),
-    ("Division/Solve", "every row anew", "auto or condensed where Blade/Drive"),
     ("Division/Look-ahead", "-1", PATTERN),
     ("Cut/Surfaces", "", "a cut where Blade/Drive"),
     ("Accuracy/Target", "0.1", "0 where Blade/Drive"),

@@ -42,17 +42,30 @@ def block(run):
     yield "support and board", error <= 1e-8, error
 
 
+def end(run):
+    """A blade that the toughness stops is stopped by the board at the latest."""
+    lines, said = run("board_cut", "Material/Toughness=1e6", said=True)
+    travel = float(lines[-1]["travel"])
+    yield "a blade on the board", lines[-1]["event"] == "arrest" and \
+        "edge is on the board" in said and 40 <= travel <= 40.4 + 1e-9, travel
+    lines, said = run("board_cut", "Support/Fixed faces=bottom", said=True)
+    yield "a board that does nothing, states", "the board does nothing" in said, len(lines)
+    lines, said = run("board_cut", said=True)
+    yield "one that carries, states", "the board does nothing" not in said, len(lines)
+
+
 def main():
     parser = program.parser(__doc__)
     parser.add_argument("--scenes", required=True)
     options = parser.parse_args()
     failed = False
     with tempfile.TemporaryDirectory() as directory:
-        def run(scene, *settings):
-            program.run(options, pathlib.Path(options.scenes) / f"{scene}.prm", directory,
-                        (*program.QUIET, *settings))
-            return tables.read(pathlib.Path(directory) / "statistics.csv")
-        for check in (balance, block):
+        def run(scene, *settings, said=False):
+            text = program.run(options, pathlib.Path(options.scenes) / f"{scene}.prm",
+                               directory, (*program.QUIET, *settings))
+            lines = tables.read(pathlib.Path(directory) / "statistics.csv")
+            return (lines, text) if said else lines
+        for check in (balance, block, end):
             for what, holds, value in check(run):
                 print(f"{'' if holds else 'FAILED: '}{what}: {value:.3g}")
                 failed = failed or not holds

@@ -84,16 +84,23 @@ test_choice()
       for (const SystemSize size :
            {SystemSize{10000, ElementType::serendipity, 1},
             SystemSize{10000, ElementType::serendipity, 2},
-            SystemSize{300000, ElementType::serendipity, 1}})
+            SystemSize{300000, ElementType::serendipity, 1},
+            SystemSize{500000, ElementType::serendipity, 2}})
         for (const CutSize cut : {CutSize{},
                                   CutSize{2, 100},
                                   CutSize{20, 1000},
+                                  CutSize{20, 1000, true},
+                                  CutSize{20, 1000, true, true},
                                   CutSize{20, 50000}})
           {
             const auto choice = choose_cut_strategy(parameters, size, cut);
             std::cout << solve << ", " << size.n_unknowns << " unknowns, "
                       << size.n_processes << " processes, " << cut.n_rows
-                      << " rows of " << cut.n_interface_unknowns << ": "
+                      << " rows of " << cut.n_interface_unknowns
+                      << (cut.has_foundation ? ", on a board"
+                          : cut.has_contact  ? ", with contact"
+                                             : "")
+                      << ": "
                       << (choice.kind == CutStrategy::condensed ? "condensed"
                                                                 : "row by row")
                       << ", " << choice.reason << std::endl;

@@ -3,6 +3,7 @@
 
 #include <setsudan/body/body.h>
 #include <setsudan/contact/face_hats.h>
+#include <setsudan/cut/surface/cut_parameters.h>
 #include <setsudan/mechanics/balance.h>
 #include <setsudan/parameters/parameters.h>
 #include <setsudan/solver/condensed/unknown_forces.h>
@@ -123,6 +124,30 @@ struct BoardLoad
   /** How far a node has passed the board. */
   double passed = 0;
 };
+
+/** How far a blade's edge travels in a cut, from its entry, until a part of it
+ * that is over the cut meets a board; infinite where it does not go towards it.
+ */
+template <int dim>
+double
+travel_to_board(const BoardParameters<dim> &board,
+                const CoarseMesh<dim> &mesh,
+                const Cut<dim> &cut);
+
+/** How far it may travel: a little further, since strains of a last row may be
+ * large which are taken as small. */
+template <int dim>
+double
+last_travel_on_board(const BoardParameters<dim> &board,
+                     const CoarseMesh<dim> &mesh,
+                     const Cut<dim> &cut);
+
+/** Whether some corner may move along a board's normal, as far as the supports
+ * are concerned; else it does nothing. Called by all processes. */
+template <int dim>
+bool
+carries_something(const BoardContacts<dim> &board,
+                  const ElasticModel<dim> &model);
 
 /** How far a node of a deformed body has passed a board: not at all in the mean
  * over a hat, but single nodes may, and faces that were not expected to come

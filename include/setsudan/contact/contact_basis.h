@@ -218,6 +218,12 @@ public:
     return all_vectors;
   }
 
+  /** The vectors that may be pressed on while the first rows are split, and
+   * those of hats that are there when some more are; ascending. */
+  std::vector<unsigned int>
+  vectors_of_stage(const unsigned int n_split,
+                   const unsigned int n_ahead) const;
+
 private:
   /** The hats on the cut. */
   void

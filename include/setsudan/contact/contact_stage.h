@@ -65,8 +65,5 @@ struct ContactStage
   /** With displacements by place. */
   UntouchedBody untouched;
 
-private:
-  void
-  find_places(const unsigned int n_ahead);
 };
 } // namespace Setsudan

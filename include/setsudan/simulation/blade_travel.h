@@ -38,9 +38,9 @@ public:
   finish(CutBody<dim> &body, const State<dim> &from) override;
 
 private:
-  /** The next stop on the blade's path, or infinity. */
+  /** The next stop on the blade's path, or where it cannot go on. */
   double
-  goal_of(const BladeMotion &motion) const;
+  goal_of(const CutBody<dim> &body, const BladeMotion &motion) const;
 
   /** Go on from the stop where the blade is. */
   void

@@ -253,6 +253,19 @@ public:
   std::shared_ptr<CondensedSolver<dim>>
   condensed_solver(const unsigned int n_split);
 
+  /** The closed constraints while the first rows of the newest cut are split.
+   *
+   * @throw FloatingPieceError where that leaves a part which nothing holds. */
+  Constraints
+  constraints_after(const unsigned int n_split) const;
+
+  /** How often more has changed so far than the ties of a cut. */
+  unsigned int
+  n_changes() const
+  {
+    return selection.n_forgotten();
+  }
+
   /** How a single state is solved, and how those of the newest cut. */
   Choice<SolverKind>
   solver_choice() const;

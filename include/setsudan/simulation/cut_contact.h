@@ -2,8 +2,8 @@
 #pragma once
 
 #include <setsudan/contact/contact_path.h>
+#include <setsudan/simulation/stage_compliance.h>
 #include <setsudan/simulation/state.h>
-#include <setsudan/solver/condensed/condensed_solver.h>
 
 #include <map>
 #include <memory>
@@ -13,22 +13,26 @@
 namespace Setsudan
 {
 /** The contact of a blade with the newest cut, in all stages of that cut, and
- * of the body with its board, on their Schur complement: of a blade that
- * travels, or of one that the scene's forces press in, over the load factor. */
+ * of the body with its board, on what forces along the vectors of contact do to
+ * each other (StageCompliance): of a blade that travels, or of one that the
+ * scene's forces press in, over the load factor. */
 template <int dim>
 class CutContact
 {
 public:
   /** @param body, profile must live as long.
    * @param displacement in which the body sticks on its board, without ghosts.
-   * @throw SolverError where the cut is not solved on its interface. */
+   * @throw SolverError, FloatingPieceError as StageCompliance::make(). */
   CutContact(CutBody<dim> &body,
              const BladeProfile &profile,
              const LA::Vector &displacement);
 
   /** Whether this is of what the body is now. */
   bool
-  is_of(CutBody<dim> &body) const;
+  is_of_present_body() const
+  {
+    return compliance->is_of_present_body();
+  }
 
   /** The contact while the first rows are split, with the blade where it is;
    * the load factor stands in the place of the travel.
@@ -51,7 +55,7 @@ public:
   bool
   has_last_stage() const
   {
-    return n_free.size() > n_rows(body);
+    return last_stage == n_rows(body);
   }
 
   /** The state in which the contacts of a path hold at a travel or load factor.
@@ -125,36 +129,19 @@ private:
   nodal_forces(
     const std::map<dealii::types::global_dof_index, double> &forces) const;
 
-  /** Products of all vectors over the first unknowns. */
-  struct Products
-  {
-    dealii::LAPACKFullMatrix<double> matrix;
-    unsigned int n_summed = 0;
-  };
-
-  /** The products of a stage. */
-  const dealii::LAPACKFullMatrix<double> &
-  products_of(const unsigned int n_free);
-  void
-  advance(Products &products, const unsigned int n_free) const;
+  /** The vectors of the basis, and behind them the scene's forces on the edge
+   * in each stage. */
+  StageForces
+  stage_forces() const;
 
   CutBody<dim> &body;
   const BladeProfile &profile;
   const BladeProfile no_profile;
   const ContactBasis<dim> basis;
-  const std::shared_ptr<CondensedSolver<dim>> solver;
-  /** The free unknowns of each stage. */
-  std::vector<unsigned int> n_free;
+  const unsigned int last_stage;
   /** A travel that is small beside a row. */
   const double step;
-  typename CondensedSolver<dim>::Compliance compliance;
-  /** Of the vectors of the basis, the forces on the edge in each stage, and the
-   * body's loads, in the first unknowns. */
-  Products of_stage;
-  /** The same in stages ahead of that, which are looked at in ascending order
-   * before the next one is. */
-  Products ahead;
-  unsigned int last_asked = 0;
+  const std::unique_ptr<StageCompliance<dim>> compliance;
   /** What the vectors measure in the displacement that it began with; empty
    * where there is no board. */
   std::vector<double> measured;

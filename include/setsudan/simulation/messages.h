@@ -2,7 +2,7 @@
 #pragma once
 
 #include <setsudan/output/tables/statistics.h>
-#include <setsudan/simulation/cut_body.h>
+#include <setsudan/simulation/state.h>
 
 #include <optional>
 #include <string>

@@ -58,6 +58,9 @@ struct CutSize
   unsigned int n_interface_unknowns = 0;
   /** Whether the contact of a blade is to be found on its unknowns. */
   bool has_contact = false;
+  /** Whether a foundation carries the body meanwhile, which the condensed
+   * solver alone knows. */
+  bool has_foundation = false;
 };
 
 Choice<SolverKind>

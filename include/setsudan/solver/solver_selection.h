@@ -52,6 +52,13 @@ public:
   void
   forget();
 
+  /** How often that was. */
+  unsigned int
+  n_forgotten() const
+  {
+    return forgotten;
+  }
+
   /** The solver of a single state, chosen by what has been learnt so far. */
   Choice<SolverKind>
   choice(const ElasticModel<dim> &model) const;
@@ -83,6 +90,7 @@ private:
   /** The last one for a single state, and how many before it have the same
    * coarse correction. */
   std::shared_ptr<FallbackSolver<dim>> single;
-  unsigned int n_reused = 0;
+  unsigned int n_reused  = 0;
+  unsigned int forgotten = 0;
 };
 } // namespace Setsudan
