@@ -64,6 +64,5 @@ struct ContactStage
   dealii::LAPACKFullMatrix<double> products;
   /** With displacements by place. */
   UntouchedBody untouched;
-
 };
 } // namespace Setsudan
