@@ -2,7 +2,7 @@
 #pragma once
 
 #include <setsudan/output/tables/statistics.h>
-#include <setsudan/simulation/cut_body.h>
+#include <setsudan/simulation/state.h>
 
 #include <optional>
 #include <string>
@@ -48,6 +48,21 @@ describe_roughness(const Cut<dim> &cut);
 template <int dim>
 std::string
 describe_solve(const CutBody<dim> &body);
+
+/** With which laws a body of finite strain deforms, and why; nothing where
+ * strain is small. */
+template <int dim>
+std::optional<std::string>
+describe_strain(const Scene<dim> &scene);
+
+/** Where a run ends since a body has no stable equilibrium.
+ *
+ * @param reason a sentence of the solver. */
+template <int dim>
+std::string
+describe_instability(const CutBody<dim> &body,
+                     const Event &event,
+                     const std::string &reason);
 
 /** Where the cut stands still, what was reached, and what would let it go on.
  */

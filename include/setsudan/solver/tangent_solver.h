@@ -19,6 +19,9 @@ struct SolveQuality
   double estimated_relative_error = 0;
   /** A message to the user about the way of the solve; empty in most cases. */
   std::string warning;
+  /** The size of forces that the residual is relative to where that is more
+   * than those of the state itself. */
+  double force_scale = 0;
 };
 
 /**
@@ -88,8 +91,8 @@ quality_of(const LA::Vector &x,
            const double residual,
            const double loads);
 
-/** Solves the linearized equilibrium K u = f under one set of homogeneous
- * constraints, in whichever way it is prepared. */
+/** Solves the equilibrium K u = f, or F(u) = f in a body that is not linear,
+ * under one set of homogeneous constraints, in whichever way it is prepared. */
 class TangentSolver
 {
 public:
