@@ -204,10 +204,10 @@ check_energy_of_split(const CutBody<dim> &body,
   // last forces.
   if (!body.model().is_linear() && after.opening.linfty_norm() > 0)
     return;
-  const double energy_after =
-    after.strain_energy - after.forces * after.displacement;
-  const double energy_before =
-    before.strain_energy - after.forces * before.displacement;
+  const double energy_after = after.strain_energy + after.pressure_energy -
+                              after.forces * after.displacement;
+  const double energy_before = before.strain_energy + before.pressure_energy -
+                               after.forces * before.displacement;
 
   // What the constraints of the opened rows exert, along the opening that the
   // last split has added; rows that were open before have no part in it.

@@ -78,7 +78,8 @@ set_solution(const ElasticModel<dim> &model,
                        stored_energy(model, state.displacement, state.internal)}
       : evaluate_laws(model, state.displacement);
   state.strain_energy    = of_laws.energy;
-  state.potential_energy = state.strain_energy + of_laws.potential_of_pressure -
+  state.pressure_energy  = of_laws.potential_of_pressure;
+  state.potential_energy = state.strain_energy + state.pressure_energy -
                            state.forces * state.displacement;
   if (state.board)
     state.potential_energy += state.board->nodal_forces * state.displacement;

@@ -132,6 +132,7 @@ private:
   std::unique_ptr<AssembledSolver<dim>> indefinite_solver;
   bool last_was_definite = true;
   SolveQuality quality;
+  unsigned int n_steps = 0;
 };
 
 
@@ -365,6 +366,7 @@ Newton<dim>::solve()
             }
       if (reached)
         {
+          n_steps += reached->n_steps;
           if (reached->n_steps <= few_steps)
             length *= 1.5;
           last = std::move(*reached);
@@ -374,6 +376,7 @@ Newton<dim>::solve()
         give_up(last, part);
     }
   Solution solution;
+  solution.n_steps      = n_steps;
   quality.residual      = last.relative_residual;
   quality.force_scale   = size_of_forces;
   solution.displacement = std::move(last.displacement);
@@ -445,8 +448,13 @@ Newton<dim>::describe_softest_mode(const LA::Vector &displacement)
        Utilities::MPI::all_gather(discretization.communicator, largest))
     if (other.first > largest.first)
       largest = other;
-  return "along " + text_of(Point<dim>(largest.second.second)) + " at " +
-         text_of(largest.second.first);
+  std::ostringstream text;
+  text.precision(2);
+  for (unsigned int c = 0; c < dim; ++c)
+    text << (c == 0 ? "along (" : ", ")
+         << std::round(100 * largest.second.second[c]) / 100;
+  text << ") at " << text_of(largest.second.first);
+  return text.str();
 }
 } // namespace
 

@@ -38,6 +38,8 @@ struct Solution
   /** The internal forces F(u), K u in a linear body, no constraint applied. */
   LA::Vector internal;
   SolveQuality quality;
+  /** The steps of Newton's method; 0 in a linear body. */
+  unsigned int n_steps = 0;
 };
 
 /** A solve is refined where its relative residual exceeds the first, and has
