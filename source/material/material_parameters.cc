@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/utilities.h>
-
-#include <setsudan/body/group_of_word.h>
+#include <setsudan/material/element_values.h>
 #include <setsudan/material/material_parameters.h>
-#include <setsudan/parameters/lists.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <tuple>
 
 namespace Setsudan
 {
@@ -17,6 +14,7 @@ template <int dim>
 void
 MaterialParameters<dim>::declare(ParameterHandler &handler)
 {
+  LawParameters::declare(handler);
   Setsudan::declare(handler,
                     "Material",
                     "Young's modulus",
@@ -70,78 +68,36 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
 
 namespace
 {
-/** A value for each element, or one for all of them. */
-using ElementValues = std::vector<double>;
-
-/**
- * Read a parameter that is a number, or numbers for groups of elements.
- *
- * @param is_allowed what a number must fulfil, and `allowed` says.
- */
-template <int dim>
-ElementValues
-read_values(const Parameters &parameters,
-            const Body<dim> &body,
-            const std::string &name,
-            const std::string &allowed,
-            bool (*is_allowed)(double))
-{
-  const auto reject_unless = [&](const bool condition,
-                                 const std::string &what) {
-    parameters.require(condition, "Material", name, what);
-  };
-  ElementValues values;
-  std::vector<bool> given(body.mesh.cells.size(), false);
-  bool all_given = false;
-  for (const auto &item : split(parameters.text("Material", name), ';'))
-    {
-      // The number stands behind the last colon, where there is one.
-      const auto colon     = item.rfind(':');
-      const bool has_group = colon != std::string::npos;
-      const std::string word =
-        has_group ? Utilities::trim(item.substr(0, colon)) : "";
-      const std::string text = has_group ? item.substr(colon + 1) : item;
-      std::vector<double> number;
-      reject_unless(parse_numbers(text, number) && number.size() == 1 &&
-                      is_allowed(number[0]),
-                    allowed + ", or 'group : number', separated by ';'");
-      if (word.empty())
-        {
-          reject_unless(!all_given && values.empty(),
-                        "one number without a group, before those of groups");
-          values    = number;
-          all_given = true;
-          continue;
-        }
-      if (values.size() != body.mesh.cells.size())
-        values.assign(body.mesh.cells.size(), all_given ? values[0] : 0.);
-      for (const unsigned int cell :
-           find_group_or_reject(
-             parameters, "Material", name, body, word, GroupKind::elements)
-             .cells)
-        {
-          values[cell] = number[0];
-          given[cell]  = true;
-        }
-    }
-  reject_unless(!values.empty(), allowed);
-  reject_unless(all_given ||
-                  std::all_of(given.begin(),
-                              given.end(),
-                              [](const bool value) { return value; }),
-                "a number for every element: the groups leave some out, for "
-                "which a number without a group would be taken");
-  return values;
-}
-
-
-
 // From here on the displacement formulation's stress is wrong by several per
 // cent on coarse meshes (doc/theory.md).
 constexpr double mixed_from_ratio = 0.45;
 
-double
-value_of(const ElementValues &values, const unsigned int element)
+/** @throw SceneError for a law that does not fit to the other parameters. */
+std::shared_ptr<const ConstitutiveLaw>
+make_law(const Parameters &parameters,
+         const LawParameters &laws,
+         const std::string &name,
+         const Hooke &at_rest,
+         const bool is_mixed)
+{
+  parameters.require(name != "Ogden" || !laws.ogden_terms.empty(),
+                     "Material",
+                     "Ogden terms",
+                     "terms, since Material/Law is Ogden");
+  const auto law = laws.make(name, at_rest, is_mixed);
+  parameters.require(law != nullptr,
+                     "Material",
+                     "Law",
+                     "isochoric neo-Hooke, Mooney-Rivlin, Ogden or auto in the "
+                     "mixed formulation, which auto takes where Poisson's "
+                     "ratio is at least 0.45; or set Material/Formulation = "
+                     "displacement");
+  return law;
+}
+
+template <typename Value>
+const Value &
+value_of(const ElementValues<Value> &values, const unsigned int element)
 {
   return values[values.size() == 1 ? 0 : element];
 }
@@ -156,17 +112,17 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
   const auto is_positive     = [](const double value) { return value > 0; };
   const std::string positive = "a number greater than 0";
   const auto moduli =
-    read_values(parameters, body, "Young's modulus", positive, is_positive);
+    read_numbers(parameters, body, "Young's modulus", positive, is_positive);
   const auto ratios =
-    read_values(parameters,
-                body,
-                "Poisson's ratio",
-                "a number greater than -1 and less than 0.5",
-                [](const double value) { return value > -1 && value < 0.5; });
+    read_numbers(parameters,
+                 body,
+                 "Poisson's ratio",
+                 "a number greater than -1 and less than 0.5",
+                 [](const double value) { return value > -1 && value < 0.5; });
   const auto limits =
-    read_values(parameters, body, "Shear limit", positive, is_positive);
+    read_numbers(parameters, body, "Shear limit", positive, is_positive);
   const auto toughnesses =
-    read_values(parameters, body, "Toughness", positive, is_positive);
+    read_numbers(parameters, body, "Toughness", positive, is_positive);
   parameters.require(linear_range > 0, "Material", "Linear range", positive);
 
   const std::string formulation = parameters.text("Material", "Formulation");
@@ -175,23 +131,38 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
     return formulation == "mixed" ||
            (formulation == "auto" && ratio >= mixed_from_ratio);
   };
-  std::map<std::array<double, 4>, unsigned int> numbers;
+  const LawParameters laws(parameters);
+  finite_strain = laws.strain == LawParameters::Strain::finite;
+  const auto names =
+    read_names(parameters, body, "Law", "law", LawParameters::names());
+  std::map<std::tuple<double, double, double, double, std::string>,
+           unsigned int>
+    numbers;
   // One of them, where all are the same everywhere.
-  const std::size_t n_values =
-    std::max({moduli.size(), ratios.size(), limits.size(), toughnesses.size()});
+  const std::size_t n_values = std::max({moduli.size(),
+                                         ratios.size(),
+                                         limits.size(),
+                                         toughnesses.size(),
+                                         names.size()});
   for (unsigned int element = 0; element < n_values; ++element)
     {
-      const std::array<double, 4> values{{value_of(moduli, element),
+      const auto values   = std::make_tuple(value_of(moduli, element),
                                           value_of(ratios, element),
                                           value_of(limits, element),
-                                          value_of(toughnesses, element)}};
+                                          value_of(toughnesses, element),
+                                          value_of(names, element));
       const auto inserted = numbers.emplace(values, numbers.size());
       if (inserted.second)
-        materials.push_back({std::make_shared<const LinearElasticity>(
-                               Hooke(values[0], values[1])),
-                             values[2],
-                             values[3],
-                             is_mixed(values[1])});
+        {
+          const auto &[modulus, ratio, limit, toughness, name] = values;
+          const Hooke at_rest(modulus, ratio);
+          const bool mixed = is_mixed(ratio);
+          materials.push_back({at_rest,
+                               make_law(parameters, laws, name, at_rest, mixed),
+                               limit,
+                               toughness,
+                               mixed});
+        }
       material_of_element.push_back(inserted.first->second);
     }
   if (materials.size() == 1)
@@ -274,7 +245,7 @@ MaterialParameters<dim>::smallest_youngs_modulus() const
 {
   double result = std::numeric_limits<double>::max();
   for (const auto &material : materials)
-    result = std::min(result, material.linear().youngs_modulus());
+    result = std::min(result, material.at_rest.youngs_modulus());
   return result;
 }
 
@@ -288,16 +259,6 @@ MaterialParameters<dim>::any_is_mixed() const
     materials.begin(), materials.end(), [](const Material &material) {
       return material.is_mixed;
     });
-}
-
-
-
-const Hooke &
-Material::linear() const
-{
-  AssertThrow(law->linear() != nullptr,
-              ExcMessage("This is for linear laws only."));
-  return *law->linear();
 }
 
 

@@ -3,6 +3,8 @@
 
 #include <setsudan/mechanics/balance.h>
 
+#include <optional>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -13,13 +15,20 @@ check_balance(const ElasticModel<dim> &model,
               const LA::Vector &internal,
               const LA::Vector &applied,
               const std::vector<PointForce<dim>> &blade,
-              const double wedge)
+              const double wedge,
+              const LA::Vector *displacement)
 {
   const auto &discretization  = model.discretization;
   const MPI_Comm communicator = discretization.communicator;
   LA::Vector held             = internal;
   held -= applied;
   held = condense(model.hanging, held);
+  std::optional<LA::Vector> moved;
+  if (displacement != nullptr)
+    {
+      moved = applied;
+      *moved += follower_forces(model, *displacement);
+    }
 
   Resultant<dim> resultant(discretization);
   BodyBalance<dim> balance;
@@ -27,9 +36,13 @@ check_balance(const ElasticModel<dim> &model,
   unsigned int local        = 0;
   for (const auto index : discretization.owned)
     {
-      const auto &[position, component] = dof_locations[local++];
+      auto [position, component] = dof_locations[local++];
       Tensor<1, dim> force;
-      force[component] = model.loads(index);
+      force[component] = moved ? (*moved)(index) : model.loads(index);
+      // The components of a node follow each other.
+      if (moved)
+        for (unsigned int c = 0; c < dim; ++c)
+          position[c] += (*displacement)(index - component + c);
       if (model.supported.is_element(index))
         {
           force[component] += held(index);
@@ -40,7 +53,7 @@ check_balance(const ElasticModel<dim> &model,
       if (force[component] != 0)
         resultant.add(position, force);
     }
-  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+  if (!moved && Utilities::MPI::this_mpi_process(communicator) == 0)
     for (const auto &[point, force] : blade)
       resultant.add(point, force);
   resultant.add_cancelling(wedge);
@@ -58,11 +71,13 @@ check_balance(const ElasticModel<2> &,
               const LA::Vector &,
               const LA::Vector &,
               const std::vector<PointForce<2>> &,
-              const double);
+              const double,
+              const LA::Vector *);
 template BodyBalance<3>
 check_balance(const ElasticModel<3> &,
               const LA::Vector &,
               const LA::Vector &,
               const std::vector<PointForce<3>> &,
-              const double);
+              const double,
+              const LA::Vector *);
 } // namespace Setsudan

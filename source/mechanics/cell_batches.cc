@@ -79,7 +79,7 @@ CellBatches<dim>::append(std::vector<Cell> &batch, CellGeometry<dim> &geometry)
   for (const double Hooke::*modulus : {&Hooke::lambda, &Hooke::mu})
     for (const auto &cell : batch)
       moduli.push_back(
-        materials.of_element(discretization.element(cell)).linear().*modulus);
+        materials.of_element(discretization.element(cell)).at_rest.*modulus);
 
   const bool is_shared = geometry.reinit(batch[0]) && !geometries.empty() &&
                          geometries.back()->is_uniform &&

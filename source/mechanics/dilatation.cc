@@ -2,6 +2,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <setsudan/mechanics/dilatation.h>
+#include <setsudan/mechanics/mixed_cell.h>
 
 namespace Setsudan
 {
@@ -19,6 +20,29 @@ dilatation_fit(const ElementType type, const FEValues<dim> &fe_values)
 
 
 template <int dim>
+MixedCell<dim>::MixedCell(const DecoupledLaw &law,
+                          const LinearFit<dim> &fit,
+                          const std::vector<Point<dim>> &points,
+                          const std::vector<double> &volumes)
+{
+  const auto theta = fit(volumes);
+  std::vector<double> stresses;
+  for (const auto &point : points)
+    {
+      const double J = theta(point);
+      is_valid       = is_valid && J > 0;
+      if (!is_valid)
+        return;
+      energies.push_back(law.volumetric.value(J));
+      stresses.push_back(law.volumetric.derivative(J));
+      stiffness.push_back(law.volumetric.second_derivative(J));
+    }
+  mean_stress = fit(stresses);
+}
+
+
+
+template <int dim>
 Dilatation<dim>::Dilatation(const Discretization<dim> &discretization)
   : type(discretization.type)
   , fe_values(discretization.mapping(),
@@ -26,6 +50,7 @@ Dilatation<dim>::Dilatation(const Discretization<dim> &discretization)
               QGauss<dim>(discretization.n_gauss_points()),
               update_gradients | update_JxW_values | update_quadrature_points)
   , divergences(fe_values.n_quadrature_points)
+  , gradients(fe_values.n_quadrature_points)
 {
 }
 
@@ -33,20 +58,38 @@ Dilatation<dim>::Dilatation(const Discretization<dim> &discretization)
 
 template <int dim>
 LinearFunction<dim>
-Dilatation<dim>::operator()(const Cell &cell, const LA::Vector &displacement)
+Dilatation<dim>::operator()(const Cell &cell,
+                            const Material &material,
+                            const LA::Vector &displacement)
 {
+  const FEValuesExtractors::Vector components(0);
   fe_values.reinit(cell);
-  fe_values[FEValuesExtractors::Vector(0)].get_function_divergences(
-    displacement, divergences);
-  return dilatation_fit(type, fe_values)(divergences);
+  const auto fit        = dilatation_fit(type, fe_values);
+  const auto *const law = dynamic_cast<const HyperelasticLaw *>(&*material.law);
+  if (law == nullptr)
+    {
+      fe_values[components].get_function_divergences(displacement, divergences);
+      return fit(divergences);
+    }
+  fe_values[components].get_function_gradients(displacement, gradients);
+  std::vector<double> volumes;
+  for (const auto &gradient : gradients)
+    volumes.push_back(determinant(gradient + unit_symmetric_tensor<dim>()));
+  const MixedCell<dim> mixed(
+    *law->decoupled(), fit, fe_values.get_quadrature_points(), volumes);
+  return mixed.mean_stress;
 }
 
 
 
-template LinearFit<2>
-dilatation_fit(const ElementType, const FEValues<2> &);
-template LinearFit<3>
-dilatation_fit(const ElementType, const FEValues<3> &);
-template class Dilatation<2>;
-template class Dilatation<3>;
+#define INSTANTIATE(dim)                                         \
+  template LinearFit<dim> dilatation_fit(const ElementType,      \
+                                         const FEValues<dim> &); \
+  template struct MixedCell<dim>;                                \
+  template class Dilatation<dim>;
+
+INSTANTIATE(2)
+INSTANTIATE(3)
+
+#undef INSTANTIATE
 } // namespace Setsudan

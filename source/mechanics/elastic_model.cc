@@ -4,6 +4,7 @@
 
 #include <setsudan/mechanics/cell_batches.h>
 #include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/mechanics/follower_pressure.h>
 #include <setsudan/mechanics/law_integration.h>
 
 namespace Setsudan
@@ -20,6 +21,7 @@ ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
                                 const MPI_Comm communicator,
                                 const ElementType element_type)
   : materials(materials)
+  , load_parameters(load_parameters)
   , discretization(mesh, refinement, communicator, element_type)
   , internal(discretization,
              materials,
@@ -29,7 +31,10 @@ ElasticModel<dim>::ElasticModel(const CoarseMesh<dim> &mesh,
   , supports(discretization.relevant)
   , supported(discretization.dof_handler.n_dofs())
   , lift(discretization.zero_vector())
-  , loads(assemble_loads(discretization, load_parameters, body))
+  , loads(assemble_loads(discretization,
+                         load_parameters,
+                         body,
+                         materials.finite_strain))
 {
   if (!refinement.refined.empty())
     DoFTools::make_hanging_node_constraints(discretization.dof_handler,
@@ -103,27 +108,109 @@ ElasticModel<dim>::is_linear() const
 
 namespace
 {
-/** Evaluate the laws in all cells of this process. */
+/** Forces and tangents of cells, with those of the pressures on them. */
 template <int dim>
-void
-for_each_cell(
-  const ElasticModel<dim> &model,
-  const LA::Vector &displacement,
-  const std::function<void(const LawIntegration<dim> &,
-                           const typename Discretization<dim>::Cell &)> &use)
+class CellForces
 {
-  const LA::Vector u = model.discretization.with_ghosts(displacement);
-  LawIntegration<dim> laws(
-    model.discretization, model.materials, model.internal);
-  for (const auto &cell :
-       model.discretization.dof_handler.active_cell_iterators())
+public:
+  using Cell = typename Discretization<dim>::Cell;
+
+  explicit CellForces(const ElasticModel<dim> &model)
+    : laws(model.discretization, model.materials, model.internal)
+  {
+    if (model.materials.finite_strain)
+      pressure = std::make_unique<FollowerPressure<dim>>(model.discretization,
+                                                         model.load_parameters);
+  }
+
+  /** The vectors have ghosts. */
+  void
+  reinit(const Cell &cell, const LA::Vector &u)
+  {
+    laws.reinit(cell, u);
+    potential_of_pressure = 0;
+    if (pressure && pressure->reinit(cell, u, false))
+      {
+        laws.forces -= pressure->forces;
+        potential_of_pressure = pressure->potential;
+      }
+  }
+
+  /** @param before see LawIntegration::reinit_with_tangent(). */
+  void
+  reinit_with_tangent(const Cell &cell,
+                      const LA::Vector &u,
+                      const LA::Vector *before)
+  {
+    laws.reinit_with_tangent(cell, u, before);
+    if (pressure && pressure->reinit(cell, u, true))
+      laws.tangent.add(-1, pressure->tangent);
+  }
+
+  LawIntegration<dim> laws;
+  double potential_of_pressure = 0;
+
+private:
+  std::unique_ptr<FollowerPressure<dim>> pressure;
+};
+} // namespace
+
+
+template <int dim>
+InternalForces
+evaluate_laws(const ElasticModel<dim> &model, const LA::Vector &displacement)
+{
+  const auto &discretization = model.discretization;
+  InternalForces result{discretization.zero_vector()};
+  if (model.is_linear())
+    {
+      result.forces = internal_forces(model, displacement);
+      result.energy = stored_energy(model, displacement, result.forces);
+      return result;
+    }
+  const LA::Vector u = discretization.with_ghosts(displacement);
+  CellForces<dim> of_cell(model);
+  std::vector<types::global_dof_index> indices(
+    discretization.fe.n_dofs_per_cell());
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        laws.reinit(cell, u, false);
-        use(laws, cell);
+        of_cell.reinit(cell, u);
+        cell->get_dof_indices(indices);
+        result.forces.add(indices, of_cell.laws.forces);
+        result.energy += of_cell.laws.energy;
+        result.potential_of_pressure += of_cell.potential_of_pressure;
       }
+  result.forces.compress(VectorOperation::add);
+  for (double *const sum : {&result.energy, &result.potential_of_pressure})
+    *sum = Utilities::MPI::sum(*sum, discretization.communicator);
+  return result;
 }
-} // namespace
+
+
+
+template <int dim>
+LA::Vector
+follower_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
+{
+  const auto &discretization = model.discretization;
+  LA::Vector forces          = discretization.zero_vector();
+  FollowerPressure<dim> pressure(discretization, model.load_parameters);
+  if (!model.materials.finite_strain || pressure.empty())
+    return forces;
+  const LA::Vector u = discretization.with_ghosts(displacement);
+  std::vector<types::global_dof_index> indices(
+    discretization.fe.n_dofs_per_cell());
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() && pressure.reinit(cell, u, false))
+      {
+        cell->get_dof_indices(indices);
+        forces.add(indices, pressure.forces);
+      }
+  forces.compress(VectorOperation::add);
+  return forces;
+}
+
 
 
 template <int dim>
@@ -131,18 +218,7 @@ LA::Vector
 internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
   if (!model.is_linear())
-    {
-      LA::Vector forces = model.discretization.zero_vector();
-      std::vector<types::global_dof_index> indices(
-        model.discretization.fe.n_dofs_per_cell());
-      for_each_cell<dim>(
-        model, displacement, [&](const auto &laws, const auto &cell) {
-          cell->get_dof_indices(indices);
-          forces.add(indices, laws.forces);
-        });
-      forces.compress(VectorOperation::add);
-      return forces;
-    }
+    return evaluate_laws(model, displacement).forces;
   if (model.discretization.type == ElementType::linear)
     return internal_forces(model.discretization,
                            model.stiffness,
@@ -152,10 +228,24 @@ internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 
 
 
+namespace
+{
+/** A displacement on all cells that this process knows; empty for none. */
+template <int dim>
+LA::Vector
+with_ghosts(const ElasticModel<dim> &model, const LA::Vector *displacement)
+{
+  return displacement != nullptr
+           ? model.discretization.with_ghosts(*displacement)
+           : LA::Vector();
+}
+} // namespace
+
+
 template <int dim>
 void
 assemble_tangent(const ElasticModel<dim> &model,
-                 const LA::Vector *displacement,
+                 const Linearization &linearization,
                  const AffineConstraints<double> &constraints,
                  LA::SparseMatrix &matrix)
 {
@@ -165,17 +255,51 @@ assemble_tangent(const ElasticModel<dim> &model,
         model.discretization, model.stiffness, constraints, matrix);
       return;
     }
-  const LA::Vector u = model.discretization.with_ghosts(*displacement);
-  LawIntegration<dim> laws(
-    model.discretization, model.materials, model.internal);
+  const LA::Vector u      = with_ghosts(model, linearization.about);
+  const LA::Vector before = with_ghosts(model, linearization.before);
+  CellForces<dim> of_cell(model);
   assemble_matrix<dim>(
     model.discretization,
     [&](const auto &cell) -> const FullMatrix<double> & {
-      laws.reinit(cell, u, true);
-      return laws.tangent;
+      of_cell.reinit_with_tangent(
+        cell, u, linearization.before != nullptr ? &before : nullptr);
+      return of_cell.laws.tangent;
     },
     constraints,
     matrix);
+}
+
+
+
+template <int dim>
+LA::Vector
+tangent_times(const ElasticModel<dim> &model,
+              const LA::Vector &displacement,
+              const LA::Vector &direction)
+{
+  if (model.is_linear())
+    return internal_forces(model, direction);
+  const auto &discretization = model.discretization;
+  const LA::Vector u         = discretization.with_ghosts(displacement);
+  const LA::Vector d         = discretization.with_ghosts(direction);
+  CellForces<dim> forces(model);
+  const unsigned int n = discretization.fe.n_dofs_per_cell();
+  std::vector<types::global_dof_index> indices(n);
+  dealii::Vector<double> of_cell(n), product(n);
+  LA::Vector result = discretization.zero_vector();
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        cell->get_dof_indices(indices);
+        d.extract_subvector_to(indices.begin(), indices.end(), of_cell.begin());
+        if (of_cell.all_zero())
+          continue;
+        forces.reinit_with_tangent(cell, u, nullptr);
+        forces.laws.tangent.vmult(product, of_cell);
+        result.add(indices, product);
+      }
+  result.compress(VectorOperation::add);
+  return result;
 }
 
 
@@ -186,35 +310,31 @@ stored_energy(const ElasticModel<dim> &model,
               const LA::Vector &displacement,
               const LA::Vector &internal)
 {
-  if (model.is_linear())
-    return 0.5 * (displacement * internal);
-  double energy = 0;
-  for_each_cell<dim>(model, displacement, [&](const auto &laws, const auto &) {
-    energy += laws.energy;
-  });
-  return Utilities::MPI::sum(energy, model.discretization.communicator);
+  return model.is_linear() ? 0.5 * (displacement * internal)
+                           : evaluate_laws(model, displacement).energy;
 }
 
 
 
-template struct ElasticModel<2>;
-template struct ElasticModel<3>;
-template LA::Vector
-internal_forces(const ElasticModel<2> &, const LA::Vector &);
-template void
-assemble_tangent(const ElasticModel<2> &,
-                 const LA::Vector *,
-                 const AffineConstraints<double> &,
-                 LA::SparseMatrix &);
-template double
-stored_energy(const ElasticModel<2> &, const LA::Vector &, const LA::Vector &);
-template LA::Vector
-internal_forces(const ElasticModel<3> &, const LA::Vector &);
-template void
-assemble_tangent(const ElasticModel<3> &,
-                 const LA::Vector *,
-                 const AffineConstraints<double> &,
-                 LA::SparseMatrix &);
-template double
-stored_energy(const ElasticModel<3> &, const LA::Vector &, const LA::Vector &);
+#define INSTANTIATE(dim)                                                \
+  template struct ElasticModel<dim>;                                    \
+  template InternalForces evaluate_laws(const ElasticModel<dim> &,      \
+                                        const LA::Vector &);            \
+  template LA::Vector follower_forces(const ElasticModel<dim> &,        \
+                                      const LA::Vector &);              \
+  template LA::Vector internal_forces(const ElasticModel<dim> &,        \
+                                      const LA::Vector &);              \
+  template void assemble_tangent(const ElasticModel<dim> &,             \
+                                 const Linearization &,                 \
+                                 const AffineConstraints<double> &,     \
+                                 LA::SparseMatrix &);                   \
+  template LA::Vector tangent_times(                                    \
+    const ElasticModel<dim> &, const LA::Vector &, const LA::Vector &); \
+  template double stored_energy(                                        \
+    const ElasticModel<dim> &, const LA::Vector &, const LA::Vector &);
+
+INSTANTIATE(2)
+INSTANTIATE(3)
+
+#undef INSTANTIATE
 } // namespace Setsudan

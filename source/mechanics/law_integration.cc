@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/quadrature_lib.h>
 
+#include <setsudan/mechanics/dilatation.h>
 #include <setsudan/mechanics/law_integration.h>
+#include <setsudan/mechanics/mixed_cell.h>
+#include <setsudan/mechanics/strain_and_stress.h>
+
+#include <cmath>
+#include <limits>
 
 namespace Setsudan
 {
@@ -16,44 +22,273 @@ LawIntegration<dim>::LawIntegration(const Discretization<dim> &discretization,
   , discretization(discretization)
   , materials(materials)
   , internal(internal)
-  , fe_values(discretization.mapping(),
-              discretization.fe,
-              QGauss<dim>(discretization.n_gauss_points()),
-              update_gradients | update_JxW_values)
-  , gradients(fe_values.n_quadrature_points)
+  , fe_values(
+      discretization.mapping(),
+      discretization.fe,
+      QGauss<dim>(discretization.n_gauss_points()),
+      update_gradients | update_JxW_values |
+        (materials.any_is_mixed() ? update_quadrature_points : update_default))
 {
 }
 
 
 
 template <int dim>
-void
-LawIntegration<dim>::reinit(const Cell &cell,
-                            const LA::Vector &displacement,
-                            const bool needs_tangent)
+typename LawIntegration<dim>::Gradients
+LawIntegration<dim>::gradients_of(const LA::Vector &displacement) const
 {
-  const ConstitutiveLaw &law =
-    *materials.of_element(discretization.element(cell)).law;
-  fe_values.reinit(cell);
+  std::vector<Tensor<2, dim>> values(fe_values.n_quadrature_points);
   fe_values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement,
-                                                                  gradients);
+                                                                  values);
+  Gradients gradients;
+  for (const auto &value : values)
+    gradients.push_back(in_space(value));
+  return gradients;
+}
+
+
+
+namespace
+{
+/** The deformation gradient. */
+Tensor<2, 3>
+deformation(const Tensor<2, 3> &gradient)
+{
+  return gradient + unit_symmetric_tensor<3>();
+}
+
+
+
+/** The second Piola-Kirchhoff stress at a point, and how it grows with the
+ * gradient. */
+Tensor<2, 3>
+extrapolated(const MaterialResponse &before,
+             const Tensor<2, 3> &gradient,
+             const Tensor<2, 3> &step)
+{
+  const Tensor<2, 3> inverse = invert(deformation(gradient));
+  const Tensor<2, 3> stress  = inverse * before.stress;
+  return stress + inverse * (double_contract<2, 0, 3, 1>(before.tangent, step) -
+                             step * stress);
+}
+} // namespace
+
+
+template <int dim>
+std::vector<MaterialResponse>
+LawIntegration<dim>::respond(const ConstitutiveLaw &law,
+                             const unsigned int c,
+                             const Gradients &gradients,
+                             const Gradients *before) const
+{
+  const auto *const elastic =
+    before != nullptr ? dynamic_cast<const HyperelasticLaw *>(&law) : nullptr;
+  std::vector<MaterialResponse> responses;
+  for (unsigned int q = 0; q < gradients.size(); ++q)
+    {
+      responses.push_back(law.evaluate(
+        gradients[q], internal.before(c, q), internal.after(c, q)));
+      if (elastic == nullptr || !std::isfinite(responses.back().energy))
+        continue;
+      const auto change =
+        extrapolated(elastic->respond((*before)[q]),
+                     (*before)[q],
+                     gradients[q] - (*before)[q]) -
+        invert(deformation(gradients[q])) * responses.back().stress;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          for (unsigned int l = 0; l < 3; ++l)
+            responses.back().tangent[i][j][i][l] += change[j][l];
+    }
+  return responses;
+}
+
+
+
+namespace
+{
+/** The derivative of J = det F by F. */
+Tensor<2, 3>
+cofactor(const Tensor<2, 3> &F)
+{
+  return determinant(F) * transpose(invert(F));
+}
+
+
+
+/** J at points. */
+std::vector<double>
+volumes(const std::vector<Tensor<2, 3>> &gradients)
+{
+  std::vector<double> result;
+  for (const auto &gradient : gradients)
+    result.push_back(determinant(deformation(gradient)));
+  return result;
+}
+
+
+
+std::vector<MaterialResponse>
+not_valid()
+{
+  MaterialResponse response;
+  response.energy = std::numeric_limits<double>::infinity();
+  return {response};
+}
+} // namespace
+
+
+template <int dim>
+std::vector<MaterialResponse>
+LawIntegration<dim>::respond_mixed(const DecoupledLaw &law,
+                                   const Gradients &gradients,
+                                   const Gradients *before,
+                                   std::vector<double> &stiffness) const
+{
+  const auto &points = fe_values.get_quadrature_points();
+  const auto fit     = dilatation_fit(discretization.type, fe_values);
+  const auto J       = volumes(gradients);
+  for (const double volume : J)
+    if (!(volume > 0))
+      return not_valid();
+  const MixedCell<dim> mixed(law, fit, points, J);
+  if (!mixed.is_valid)
+    return not_valid();
+  stiffness = mixed.stiffness;
+  // The mean stress in the tangent.
+  auto in_tangent = mixed.mean_stress;
+  if (before != nullptr)
+    {
+      const MixedCell<dim> earlier(law, fit, points, volumes(*before));
+      std::vector<double> growth;
+      for (unsigned int q = 0; q < gradients.size(); ++q)
+        growth.push_back(scalar_product(cofactor(deformation((*before)[q])),
+                                        gradients[q] - (*before)[q]));
+      const auto theta = fit(growth);
+      for (unsigned int q = 0; q < growth.size(); ++q)
+        growth[q] = earlier.stiffness[q] * theta(points[q]);
+      const auto change = fit(growth);
+      in_tangent        = earlier.mean_stress;
+      in_tangent.value += change.value;
+      in_tangent.slope += change.slope;
+    }
+  std::vector<MaterialResponse> responses;
+  for (unsigned int q = 0; q < gradients.size(); ++q)
+    {
+      const Tensor<2, 3> F          = deformation(gradients[q]);
+      const SymmetricTensor<2, 3> C = symmetrize(transpose(F) * F);
+      const auto inverse_C          = invert(C);
+      StrainEnergy energy           = law.distortion(C);
+      MaterialResponse response;
+      response.energy = energy.value + mixed.energies[q];
+      response.stress =
+        F * (energy.stress + mixed.mean_stress(points[q]) * J[q] * inverse_C);
+      add_pressure(in_tangent(points[q]), 0, J[q], inverse_C, energy);
+      response.tangent = tangent_in_gradient(F, energy.stress, energy.tangent);
+      responses.push_back(response);
+    }
+  return responses;
+}
+
+
+
+template <int dim>
+void
+LawIntegration<dim>::add_volume_stiffness(const Gradients &gradients,
+                                          const std::vector<double> &stiffness)
+{
+  const auto &fe       = discretization.fe;
+  const auto &points   = fe_values.get_quadrature_points();
+  const auto fit       = dilatation_fit(discretization.type, fe_values);
+  const unsigned int n = points.size();
+  std::vector<Tensor<2, 3>> of_volume;
+  for (const auto &gradient : gradients)
+    of_volume.push_back(cofactor(deformation(gradient)));
+  // What each function does to theta at each point.
+  FullMatrix<double> growth(forces.size(), n), weighted(forces.size(), n);
+  std::vector<double> of_function(n);
+  for (unsigned int a = 0; a < forces.size(); ++a)
+    {
+      const unsigned int i = fe.system_to_component_index(a).first;
+      for (unsigned int q = 0; q < n; ++q)
+        {
+          of_function[q] = 0;
+          for (unsigned int j = 0; j < dim; ++j)
+            of_function[q] +=
+              of_volume[q][i][j] * fe_values.shape_grad(a, q)[j];
+        }
+      const auto theta = fit(of_function);
+      for (unsigned int q = 0; q < n; ++q)
+        {
+          growth(a, q)   = theta(points[q]);
+          weighted(a, q) = growth(a, q) * stiffness[q] * fe_values.JxW(q);
+        }
+    }
+  weighted.mTmult(tangent, growth, true);
+}
+
+
+
+template <int dim>
+void
+LawIntegration<dim>::evaluate(const Cell &cell,
+                              const LA::Vector &displacement,
+                              const LA::Vector *before,
+                              const bool needs_tangent)
+{
+  const Material &material = materials.of_element(discretization.element(cell));
+  const auto *const decoupled =
+    material.is_mixed ? dynamic_cast<const DecoupledLaw *>(&*material.law)
+                      : nullptr;
+  fe_values.reinit(cell);
   forces               = 0;
   tangent              = 0;
   energy               = 0;
-  const unsigned int c = cell->active_cell_index();
+  const auto gradients = gradients_of(displacement);
+  Gradients gradients_before;
+  if (before != nullptr)
+    gradients_before = gradients_of(*before);
+  const Gradients *const from = before != nullptr ? &gradients_before : nullptr;
+  std::vector<double> stiffness;
+  const auto responses =
+    decoupled != nullptr
+      ? respond_mixed(*decoupled, gradients, from, stiffness)
+      : respond(*material.law, cell->active_cell_index(), gradients, from);
+  for (const auto &response : responses)
+    if (!std::isfinite(response.energy))
+      {
+        energy = std::numeric_limits<double>::infinity();
+        return;
+      }
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
-      Tensor<2, 3> gradient;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          gradient[i][j] = gradients[q][i][j];
-      const auto response =
-        law.evaluate(gradient, internal.before(c, q), internal.after(c, q));
-      energy += response.energy * fe_values.JxW(q);
-      add_forces(q, response.stress);
+      energy += responses[q].energy * fe_values.JxW(q);
+      add_forces(q, responses[q].stress);
       if (needs_tangent)
-        add_tangent(q, response.tangent);
+        add_tangent(q, responses[q].tangent);
     }
+  if (needs_tangent && decoupled != nullptr)
+    add_volume_stiffness(gradients, stiffness);
+}
+
+
+
+template <int dim>
+void
+LawIntegration<dim>::reinit(const Cell &cell, const LA::Vector &displacement)
+{
+  evaluate(cell, displacement, nullptr, false);
+}
+
+
+
+template <int dim>
+void
+LawIntegration<dim>::reinit_with_tangent(const Cell &cell,
+                                         const LA::Vector &displacement,
+                                         const LA::Vector *before)
+{
+  evaluate(cell, displacement, before, true);
 }
 
 

@@ -37,6 +37,7 @@ template <int dim>
 void
 add_distributed_loads(const Discretization<dim> &discretization,
                       const LoadParameters<dim> &loads,
+                      const bool pressure_follows,
                       LA::Vector &forces)
 {
   FEValues<dim> fe_values(discretization.mapping(),
@@ -75,7 +76,8 @@ add_distributed_loads(const Discretization<dim> &discretization,
                 face_values,
                 [&](const unsigned int q) {
                   return load->second.traction -
-                         load->second.pressure * face_values.normal_vector(q);
+                         (pressure_follows ? 0. : load->second.pressure) *
+                           face_values.normal_vector(q);
                 },
                 cell_forces);
             }
@@ -154,12 +156,13 @@ template <int dim>
 LA::Vector
 assemble_loads(const Discretization<dim> &discretization,
                const LoadParameters<dim> &loads,
-               const Body<dim> &body)
+               const Body<dim> &body,
+               const bool pressure_follows)
 {
   LA::Vector forces = discretization.zero_vector();
   if (loads.empty())
     return forces;
-  add_distributed_loads(discretization, loads, forces);
+  add_distributed_loads(discretization, loads, pressure_follows, forces);
   if (!loads.nodal_forces.empty())
     add_nodal_forces(discretization, loads, body, forces);
   forces.compress(VectorOperation::add);
@@ -171,9 +174,11 @@ assemble_loads(const Discretization<dim> &discretization,
 template LA::Vector
 assemble_loads(const Discretization<2> &,
                const LoadParameters<2> &,
-               const Body<2> &);
+               const Body<2> &,
+               const bool);
 template LA::Vector
 assemble_loads(const Discretization<3> &,
                const LoadParameters<3> &,
-               const Body<3> &);
+               const Body<3> &,
+               const bool);
 } // namespace Setsudan

@@ -67,7 +67,7 @@ ElementStiffness<dim>::integrate(const Cell &cell,
 
   fe_values.reinit(cell);
   const auto dilatation    = dilatations(material.is_mixed);
-  const auto &[lambda, mu] = material.linear();
+  const auto &[lambda, mu] = material.at_rest;
   matrix                   = 0;
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
@@ -149,19 +149,24 @@ assemble_matrix(const Discretization<dim> &discretization,
   const IndexSet &owned       = discretization.owned;
   const MPI_Comm communicator = discretization.communicator;
 
-  // The pattern has a row for all that a constraint of this process names:
-  // with fewer, entries are lost without a word.
-  const IndexSet &rows = constraints.get_local_lines();
-  DynamicSparsityPattern pattern(rows);
-  DoFTools::make_sparsity_pattern(
-    discretization.dof_handler,
-    pattern,
-    constraints,
-    false,
-    discretization.triangulation.locally_owned_subdomain());
-  SparsityTools::distribute_sparsity_pattern(
-    pattern, owned, communicator, rows);
-  matrix.reinit(owned, owned, pattern, communicator);
+  if (matrix.m() == discretization.dof_handler.n_dofs())
+    matrix = 0;
+  else
+    {
+      // The pattern has a row for all that a constraint of this process names:
+      // with fewer, entries are lost without a word.
+      const IndexSet &rows = constraints.get_local_lines();
+      DynamicSparsityPattern pattern(rows);
+      DoFTools::make_sparsity_pattern(
+        discretization.dof_handler,
+        pattern,
+        constraints,
+        false,
+        discretization.triangulation.locally_owned_subdomain());
+      SparsityTools::distribute_sparsity_pattern(
+        pattern, owned, communicator, rows);
+      matrix.reinit(owned, owned, pattern, communicator);
+    }
 
   std::vector<types::global_dof_index> indices(
     discretization.fe.n_dofs_per_cell());

@@ -27,17 +27,16 @@ sum_of_magnitudes(const LA::Vector &vector)
   return sum;
 }
 
-/** The magnitudes of the forces on the pairs that the blade keeps open, of this
- * process. */
+/** The forces of the blade that keeps pairs open, on their nodes. */
 template <int dim>
-double
+LA::Vector
 forces_of_wedge(const CutBody<dim> &body, const State<dim> &state)
 {
+  LA::Vector forces = body.model().discretization.zero_vector();
   if (state.blade.presses())
-    return sum_of_magnitudes(state.blade.pressure);
-  double sum = 0;
+    return state.blade.pressure;
   if (!body.has_cut())
-    return sum;
+    return forces;
   const auto states = body.pair_states();
   for (unsigned int p = 0; p < body.seam().pairs().size(); ++p)
     if (states[p] == PairState::opened)
@@ -45,16 +44,20 @@ forces_of_wedge(const CutBody<dim> &body, const State<dim> &state)
            {&body.seam().pairs()[p].minus, &body.seam().pairs()[p].plus})
         for (const auto index : *side)
           if (body.model().discretization.owned.is_element(index))
-            sum += std::abs(state.internal(index) - state.forces(index));
-  return sum;
+            forces(index) = state.internal(index) - state.forces(index);
+  forces.compress(VectorOperation::insert);
+  return forces;
 }
 
-/** K times what is prescribed. */
+/** The magnitudes, on this process, of K times what is prescribed; 0 in a body
+ * that is not linear. */
 template <int dim>
-LA::Vector
+double
 resistance(const CutBody<dim> &body, const State<dim> &state)
 {
-  return internal_forces(body.model(), lift_of(body, state));
+  return body.model().is_linear() ? sum_of_magnitudes(internal_forces(
+                                      body.model(), lift_of(body, state)))
+                                  : 0;
 }
 
 /** The balance of a state.
@@ -74,15 +77,26 @@ checked_balance(const CutBody<dim> &body,
     return balance.force_residual <= tolerance &&
            balance.moment_residual <= tolerance;
   };
-  const double wedge         = forces_of_wedge(body, state);
+  const LA::Vector of_wedge = forces_of_wedge(body, state);
+  const double wedge        = sum_of_magnitudes(of_wedge);
+  const bool is_finite      = body.scene().material.finite_strain;
+  // As far as the blade ties the nodes that it keeps apart along its flanks, it
+  // exerts moments about them.
+  LA::Vector applied = all_forces(state);
+  if (is_finite && !state.blade.presses())
+    applied += of_wedge;
   const auto balanced_beside = [&](const double cancelling) {
-    return check_balance(
-      body.model(), state.internal, all_forces(state), blade, cancelling);
+    return check_balance(body.model(),
+                         state.internal,
+                         applied,
+                         blade,
+                         cancelling,
+                         is_finite ? &state.displacement : nullptr);
   };
   auto balance = balanced_beside(wedge);
   if (!is_balanced(balance))
-    balance =
-      balanced_beside(wedge + sum_of_magnitudes(resistance(body, state)));
+    balance = balanced_beside(wedge + state.quality.force_scale +
+                              resistance(body, state));
   if (!is_balanced(balance))
     {
       std::ostringstream message;
@@ -186,10 +200,14 @@ check_energy_of_split(const CutBody<dim> &body,
                       const State<dim> &before,
                       const State<dim> &after)
 {
-  const double energy_after =
-    after.strain_energy - after.forces * after.displacement;
-  const double energy_before =
-    before.strain_energy - after.forces * before.displacement;
+  // In a body that is not linear the work of an opening has no bound by its
+  // last forces.
+  if (!body.model().is_linear() && after.opening.linfty_norm() > 0)
+    return;
+  const double energy_after = after.strain_energy + after.pressure_energy -
+                              after.forces * after.displacement;
+  const double energy_before = before.strain_energy + before.pressure_energy -
+                               after.forces * before.displacement;
 
   // What the constraints of the opened rows exert, along the opening that the
   // last split has added; rows that were open before have no part in it.
@@ -214,8 +232,7 @@ check_energy_of_split(const CutBody<dim> &body,
   };
   if (!holds())
     scale += after.displacement.linfty_norm() *
-             Utilities::MPI::sum(sum_of_magnitudes(resistance(body, after)),
-                                 body.communicator());
+             Utilities::MPI::sum(resistance(body, after), body.communicator());
   if (!holds())
     {
       std::ostringstream message;

@@ -138,7 +138,8 @@ ResultsWriter<dim>::doubt(const Event &event,
     ++(warned.*reason);
   };
   doubt_for(&Doubts::strain,
-            event.max_strain > scene.material.linear_range,
+            !scene.material.finite_strain &&
+              event.max_strain > scene.material.linear_range,
             [&] { return warn_of_strain(event, scene.material.linear_range); });
   doubt_for(&Doubts::jacobian, event.min_jacobian <= 0, [&] {
     return warn_of_jacobian(event);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/simulation/blade_travel.h>
 #include <setsudan/simulation/drive.h>
+#include <setsudan/simulation/nonlinear_ramp.h>
 #include <setsudan/simulation/wedged_force.h>
 
 namespace Setsudan
@@ -95,7 +96,11 @@ Drive<dim>::make(const Scene<dim> &scene)
   if (scene.has_contact())
     return std::make_unique<WedgedForce<dim>>(scene);
   if (scene.division.load_control == DivisionParameters::LoadControl::ramp)
-    return std::make_unique<ForceRamp<dim>>(scene);
+    {
+      if (!scene.material.is_linear())
+        return std::make_unique<NonlinearRamp<dim>>(scene);
+      return std::make_unique<ForceRamp<dim>>(scene);
+    }
   return std::make_unique<ConstantForce<dim>>(scene);
 }
 

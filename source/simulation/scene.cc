@@ -192,6 +192,33 @@ check_contact(const Parameters &parameters, const Scene<dim> &scene)
   parameters.require(
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
 }
+
+
+
+/** Refuse what is there for small strain only. */
+template <int dim>
+void
+check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
+{
+  const std::string where = " where Deformation/Strain is finite";
+  parameters.require(!scene.blade.travels, "Blade", "Drive", "force" + where);
+  parameters.require(
+    !scene.has_contact(), "Division", "Split rows", "opened or free" + where);
+  parameters.require(
+    !scene.board.is_given, "Board", "Plane", "nothing" + where);
+  parameters.require(
+    scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
+  parameters.require(
+    !scene.accuracy.estimate, "Accuracy", "Estimate", "false" + where);
+  parameters.require(
+    !scene.output.calculix_decks, "Output", "CalculiX decks", "false" + where);
+  parameters.require(scene.solver.cut_solve !=
+                       SolverParameters::CutSolve::condensed,
+                     "Division",
+                     "Solve",
+                     "auto or every row anew" + where);
+}
+
 } // namespace
 
 
@@ -263,6 +290,8 @@ Scene<dim>::Scene(const Parameters &parameters)
                      "elements lie in no rows along such an edge");
   if (has_contact())
     check_contact(parameters, *this);
+  if (material.finite_strain)
+    check_finite_strain(parameters, *this);
   parameters.require(
     !rate.is_active() || blade.path.has_times(),
     "Material",

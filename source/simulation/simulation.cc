@@ -53,8 +53,39 @@ void
 Simulation<dim>::run()
 {
   results.progress.info(describe_body(body));
+  if (const auto line = describe_strain(scene))
+    results.progress.info(*line);
   for (const auto &joint : describe_open_joints(scene))
     results.progress.warn(joint);
+  try
+    {
+      make_cuts();
+    }
+  catch (const NoEquilibriumError &error)
+    {
+      results.record("arrest", event);
+      results.progress.info(describe_instability(body, event, error.what()));
+    }
+  if (const auto sentence =
+        describe_unfelt_work(state.motion.value_or(BladeMotion())))
+    results.progress.info(*sentence);
+  results.finish();
+  checkpoints.finish();
+  std::ostringstream line;
+  line << "Results in " << scene.output.directory << ": " << n_frames
+       << " states, " << body.n_pieces()
+       << (body.n_pieces() == 1 ? " piece" : " pieces");
+  const std::string doubts = results.describe_doubts();
+  results.progress.info(line.str() +
+                        (doubts.empty() ? "." : "; " + doubts + "."));
+}
+
+
+
+template <int dim>
+void
+Simulation<dim>::make_cuts()
+{
   bool goes_on = true;
   if (checkpoint)
     goes_on = resume();
@@ -74,18 +105,6 @@ Simulation<dim>::run()
         checkpoint_if_due(Checkpoint::Stage::divided);
       goes_on = make_cut(cut);
     }
-  if (const auto sentence =
-        describe_unfelt_work(state.motion.value_or(BladeMotion())))
-    results.progress.info(*sentence);
-  results.finish();
-  checkpoints.finish();
-  std::ostringstream line;
-  line << "Results in " << scene.output.directory << ": " << n_frames
-       << " states, " << body.n_pieces()
-       << (body.n_pieces() == 1 ? " piece" : " pieces");
-  const std::string doubts = results.describe_doubts();
-  results.progress.info(line.str() +
-                        (doubts.empty() ? "." : "; " + doubts + "."));
 }
 
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/simulation/state.h>
-#include <setsudan/solver/equilibrium.h>
 
 namespace Setsudan
 {
@@ -73,10 +72,15 @@ set_solution(const ElasticModel<dim> &model,
   state.displacement = std::move(solution.displacement);
   state.internal     = std::move(solution.internal);
   state.quality      = solution.quality;
-  state.strain_energy =
-    stored_energy(model, state.displacement, state.internal);
-  state.potential_energy =
-    state.strain_energy - state.forces * state.displacement;
+  const InternalForces of_laws =
+    model.is_linear()
+      ? InternalForces{state.internal,
+                       stored_energy(model, state.displacement, state.internal)}
+      : evaluate_laws(model, state.displacement);
+  state.strain_energy    = of_laws.energy;
+  state.pressure_energy  = of_laws.potential_of_pressure;
+  state.potential_energy = state.strain_energy + state.pressure_energy -
+                           state.forces * state.displacement;
   if (state.board)
     state.potential_energy += state.board->nodal_forces * state.displacement;
 }
@@ -105,17 +109,9 @@ solve_state(CutBody<dim> &body,
   LA::Vector forces = all_forces(state);
   if (board)
     forces += board->foundation_forces;
-  const EquilibriumProblem<dim> problem{
-    body.model(),
-    std::make_shared<const AffineConstraints<double>>(body.constraints()),
-    forces,
-    lift_of(body, state)};
-  set_solution(
-    body.model(),
-    body.model().is_linear()
-      ? solve_linear(problem, *body.solver(problem.constraints), guess)
-      : solve_newton(problem, body.scene().solver, guess),
-    state);
+  set_solution(body.model(),
+               body.solver()->solve(forces, lift_of(body, state), guess),
+               state);
   return state;
 }
 
@@ -147,7 +143,7 @@ unbalanced_part(const CutBody<dim> &body,
   double all              = state.internal.l2_norm();
   // Where nothing strains the body both are round-off of what it would resist
   // with.
-  if (unbalanced > 1e-10 * all)
+  if (body.model().is_linear() && unbalanced > 1e-10 * all)
     all += internal_forces(body.model(), lift_of(body, state)).l2_norm();
   return all > 0 ? unbalanced / all : unbalanced;
 }

@@ -15,13 +15,22 @@ AssembledSolver<dim>::AssembledSolver(
   const ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
   const SolverParameters &parameters,
-  const SolverKind kind,
-  const LA::Vector *about)
+  const SolverKind kind)
   : ConstrainedSolver<dim>(model, constraints, parameters)
   , kind(kind)
   , solver(make_linear_solver(kind, parameters))
 {
-  assemble_tangent(model, about, constraints, matrix);
+  if (model.is_linear())
+    linearize({});
+}
+
+
+
+template <int dim>
+void
+AssembledSolver<dim>::linearize(const Linearization &linearization)
+{
+  assemble_tangent(model, linearization, constraints, matrix);
   solver->initialize(
     matrix,
     solver->is_iterative()

@@ -153,6 +153,8 @@ description(const SolverKind kind)
         return "direct (CHOLMOD)";
       case SolverKind::mumps:
         return "direct (MUMPS, Cholesky)";
+      case SolverKind::indefinite:
+        return "direct (MUMPS, LDL^T)";
       case SolverKind::matrix_free:
         return "iterative (conjugate gradients with multigrid, without a "
                "matrix)";

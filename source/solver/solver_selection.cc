@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/fallback_solver.h>
+#include <setsudan/solver/newton_solver.h>
 #include <setsudan/solver/solver_selection.h>
 
 namespace Setsudan
@@ -47,7 +48,10 @@ Choice<SolverKind>
 SolverSelection<dim>::choice(const ElasticModel<dim> &model) const
 {
   const SystemSize size = size_of(model.discretization);
-  const auto chosen     = choose_solver(parameters, size);
+  if (!model.is_linear())
+    return {choose_assembled(parameters, size),
+            "in each step of Newton's method"};
+  const auto chosen = choose_solver(parameters, size);
   if (chosen.kind == SolverKind::matrix_free && has_fallen_back)
     return {choose_fallback(size), "since multigrid has failed"};
   return chosen;
@@ -82,6 +86,9 @@ SolverSelection<dim>::solver(const ElasticModel<dim> &model,
                              std::shared_ptr<const Constraints> constraints,
                              const CutStages *stages)
 {
+  if (!model.is_linear())
+    return std::make_shared<NewtonSolver<dim>>(
+      model, std::move(constraints), parameters);
   if (stages != nullptr && !condensed)
     condensed = condense(model, *stages);
   if (condensed && condensed->set_constraints(constraints))

@@ -16,7 +16,8 @@ combine(const SolveQuality &a, const SolveQuality &b)
           std::max(a.estimated_relative_error, b.estimated_relative_error),
           a.warning.empty() || b.warning.empty() || a.warning == b.warning
             ? (a.warning.empty() ? b.warning : a.warning)
-            : a.warning + " " + b.warning};
+            : a.warning + " " + b.warning,
+          std::max(a.force_scale, b.force_scale)};
 }
 
 

@@ -49,7 +49,7 @@ print(const Assignments &assignments)
   for (unsigned int element = 0; element < 6; ++element)
     {
       const auto &material = materials.of_element(element);
-      const double lambda = material.linear().lambda, mu = material.linear().mu;
+      const double lambda = material.at_rest.lambda, mu = material.at_rest.mu;
       std::cout << (element == 0 ? "  " : ", ") << materials.number(element)
                 << ": " << mu * (3 * lambda + 2 * mu) / (lambda + mu) << " "
                 << lambda / (2 * (lambda + mu)) << " " << material.shear_limit;

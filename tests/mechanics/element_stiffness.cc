@@ -113,7 +113,7 @@ test_energy(const CoarseMesh<dim> &mesh, const Refinement &refinement)
 {
   const Discretization<dim> discretization(mesh, refinement, MPI_COMM_WORLD);
   const auto material = material_of(mesh, 5., 0.3);
-  const Hooke &hooke  = material.of_element(0).linear();
+  const Hooke &hooke  = material.of_element(0).at_rest;
   ElementStiffness<dim> stiffness(discretization, material);
 
   Tensor<2, dim> gradient;

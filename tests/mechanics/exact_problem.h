@@ -141,7 +141,7 @@ private:
             if (!exact.gradient)
               continue;
             const Hooke &hooke =
-              model.materials.of_element(discretization.element(cell)).linear();
+              model.materials.of_element(discretization.element(cell)).at_rest;
             const auto stress = hooke.stress(symmetrize(exact.gradient(point)));
             stress_difference +=
               std::pow((hooke.stress(strains[q]) - stress).norm(), 2) * JxW;

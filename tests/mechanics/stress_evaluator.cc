@@ -57,7 +57,7 @@ test_linear(const CoarseMesh<dim> &mesh)
     }
   check_below_on_all("gradient", error);
 
-  const Hooke &hooke   = material.of_element(0).linear();
+  const Hooke &hooke   = material.of_element(0).at_rest;
   const auto extremes  = find_extremes(discretization, material, u);
   const auto principal = eigenvalues(symmetrize(gradient));
   for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)

@@ -15,6 +15,7 @@ import beams
 import blade
 import cantilever
 import cylinder
+import finite
 import manufactured
 import membrane
 import patch
@@ -26,7 +27,7 @@ from problems import program
 
 CASES = [module.CASE for module in (patch, thick_plate, beams, cylinder, membrane,
                                     sphere, point_load, cantilever, blade,
-                                    manufactured)]
+                                    finite, manufactured)]
 HERE = pathlib.Path(__file__).resolve().parent
 # How well another machine must repeat a number of the document.
 REPEATED = 1e-4

@@ -7,6 +7,7 @@
 #include <setsudan/material/material.h>
 
 #include <memory>
+#include <string>
 
 namespace Setsudan
 {
@@ -28,6 +29,13 @@ class ConstitutiveLaw
 {
 public:
   virtual ~ConstitutiveLaw() = default;
+
+  /** What it is called on the screen. */
+  virtual std::string
+  name() const
+  {
+    return "a law of this program's";
+  }
 
   /** The constants of a law whose tangent never changes, or null. A body of
    * such laws only is linear, and is left to the fast kernels. */

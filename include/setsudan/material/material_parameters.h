@@ -2,7 +2,7 @@
 #pragma once
 
 #include <setsudan/body/body.h>
-#include <setsudan/material/constitutive_law.h>
+#include <setsudan/material/law_parameters.h>
 #include <setsudan/parameters/parameters.h>
 
 #include <memory>
@@ -14,16 +14,14 @@ namespace Setsudan
 /** What a part of the body is made of. */
 struct Material
 {
+  /** How it answers to small strains. */
+  Hooke at_rest;
   std::shared_ptr<const ConstitutiveLaw> law;
   double shear_limit;
   /** Energy per new area that a blade of sharpness 0 needs [force/length]. */
   double toughness;
   /** Whether the change of volume is projected (see Dilatation). */
   bool is_mixed;
-
-  /** The constants of its law, which is linear. */
-  const Hooke &
-  linear() const;
 };
 
 /** Subsection `Material`: the materials, and which element has which. */
@@ -48,6 +46,12 @@ public:
   unsigned int
   n_materials() const;
 
+  const std::vector<Material> &
+  all() const
+  {
+    return materials;
+  }
+
   /**
    * Add the work that a blunt edge takes, per area that it divides: over its
    * width the material yields, in tension at twice its shear limit.
@@ -65,7 +69,7 @@ public:
   double
   smallest_toughness() const;
 
-  /** The smallest Young's modulus of all, whose laws are linear. */
+  /** The smallest Young's modulus of all, at rest. */
   double
   smallest_youngs_modulus() const;
 
@@ -81,12 +85,14 @@ public:
   bool
   has_internal_variables() const;
 
-  /** Let a material have another law. */
+  /** Let a material have another law, with the same moduli at rest. */
   void
   set_law(const unsigned int number,
           const std::shared_ptr<const ConstitutiveLaw> &law);
 
   double linear_range;
+  /** Whether laws are those of finite strain. */
+  bool finite_strain;
   /** Whether the scene names the formulation, rather than leave it to
    * Poisson's ratio. */
   bool formulation_is_named;

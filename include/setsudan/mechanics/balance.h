@@ -39,6 +39,8 @@ struct BodyBalance : public Balance
  * @param wedge      the magnitudes, on this process, of the forces by which the
  *   blade's flanks press the two sides of a cut apart: they cancel, and may be
  *   far larger than all others.
+ * @param displacement null where it is small; else moments are those about
+ *   present positions, and all nodal forces count rather than the scene's.
  */
 template <int dim>
 BodyBalance<dim>
@@ -46,5 +48,6 @@ check_balance(const ElasticModel<dim> &model,
               const LA::Vector &internal,
               const LA::Vector &applied,
               const std::vector<PointForce<dim>> &blade,
-              const double wedge = 0);
+              const double wedge             = 0,
+              const LA::Vector *displacement = nullptr);
 } // namespace Setsudan

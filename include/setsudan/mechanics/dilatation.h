@@ -3,6 +3,7 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <setsudan/material/decoupled_law.h>
 #include <setsudan/material/material_parameters.h>
 #include <setsudan/mechanics/linear_fit.h>
 #include <setsudan/space/discretization.h>
@@ -39,28 +40,19 @@ public:
 
   explicit Dilatation(const Discretization<dim> &discretization);
 
-  /** @param displacement with ghosts. */
+  /** What stress_of() needs of a cell of a mixed material: its dilatation, or
+   * with finite strain the mean Cauchy stress (see MixedCell).
+   *
+   * @param displacement with ghosts. */
   LinearFunction<dim>
-  operator()(const Cell &cell, const LA::Vector &displacement);
+  operator()(const Cell &cell,
+             const Material &material,
+             const LA::Vector &displacement);
 
 private:
   const ElementType type;
   dealii::FEValues<dim> fe_values;
   std::vector<double> divergences;
+  std::vector<dealii::Tensor<2, dim>> gradients;
 };
-
-/** The stress at a point of a cell.
- *
- * @param dilatation of the cell, for a material that is mixed. */
-template <int dim>
-dealii::SymmetricTensor<2, 3>
-stress_of(const Material &material,
-          const dealii::SymmetricTensor<2, dim> &strain,
-          const dealii::Point<dim> &position,
-          const LinearFunction<dim> &dilatation)
-{
-  return material.is_mixed
-           ? material.linear().stress(strain, dilatation(position))
-           : material.linear().stress(strain);
-}
 } // namespace Setsudan

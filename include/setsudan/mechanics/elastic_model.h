@@ -19,7 +19,7 @@ class CellBatches;
 template <int dim>
 struct ElasticModel
 {
-  /** @param mesh and materials must live as long. */
+  /** @param mesh, load_parameters and materials must live as long. */
   ElasticModel(const CoarseMesh<dim> &mesh,
                const Refinement &refinement,
                const Body<dim> &body,
@@ -41,6 +41,7 @@ struct ElasticModel
   is_linear() const;
 
   const MaterialParameters<dim> &materials;
+  const LoadParameters<dim> &load_parameters;
   Discretization<dim> discretization;
   /** Evaluating a state sets the trial ones. */
   mutable InternalVariables<dim> internal;
@@ -56,7 +57,9 @@ struct ElasticModel
   /** A displacement that has what the supports prescribe, and is otherwise
    * zero but at hanging nodes. */
   LA::Vector lift;
-  /** Nodal forces of the loads, without the blade. */
+  /** Nodal forces of the loads, without the blade; and without pressures under
+   * finite strain, which change with the displacement (see FollowerPressure).
+   */
   LA::Vector loads;
 
 private:
@@ -66,22 +69,67 @@ private:
   mutable std::unique_ptr<CellBatches<dim>> cell_batches;
 };
 
+/** What the elements do in a state. */
+struct InternalForces
+{
+  /** F(u), see internal_forces(). */
+  LA::Vector forces;
+  /** The energy that is stored; infinite where a volume is not positive, and
+   * the forces are not set there. */
+  double energy = 0;
+  /** That of pressures, see FollowerPressure. */
+  double potential_of_pressure = 0;
+};
+
+/** Evaluate the laws in a state.
+ *
+ * @param displacement without ghosts. */
+template <int dim>
+InternalForces
+evaluate_laws(const ElasticModel<dim> &model, const LA::Vector &displacement);
+
 /** The internal forces F(u) by which the elements resist a displacement, K u in
- * a linear body, with no constraint applied; neither has ghosts. */
+ * a linear body, with no constraint applied; neither has ghosts. Pressures that
+ * follow the surface, which change with the displacement as the elements'
+ * forces do, are subtracted. */
 template <int dim>
 LA::Vector
 internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement);
 
+/** Displacements without ghosts for which a tangent is taken; null in a linear
+ * body. */
+struct Linearization
+{
+  /** About which it is. */
+  const LA::Vector *about = nullptr;
+  /** From which its stress is extrapolated, see LawIntegration; null for the
+   * exact tangent. */
+  const LA::Vector *before = nullptr;
+};
+
 /** Assemble the tangent of the internal forces, condensed with `constraints`.
  *
- * @param displacement about which it is, without ghosts; null in a linear body.
- */
+ * @param matrix empty, or from an earlier call with the same constraints. */
 template <int dim>
 void
 assemble_tangent(const ElasticModel<dim> &model,
-                 const LA::Vector *displacement,
+                 const Linearization &linearization,
                  const dealii::AffineConstraints<double> &constraints,
                  LA::SparseMatrix &matrix);
+
+/** The exact tangent about a displacement times a direction, with no constraint
+ * applied; no vector has ghosts. */
+template <int dim>
+LA::Vector
+tangent_times(const ElasticModel<dim> &model,
+              const LA::Vector &displacement,
+              const LA::Vector &direction);
+
+/** The nodal forces of pressures that follow the surface; no vector has ghosts.
+ */
+template <int dim>
+LA::Vector
+follower_forces(const ElasticModel<dim> &model, const LA::Vector &displacement);
 
 /** The energy that a displacement stores.
  *

@@ -53,11 +53,13 @@ struct LoadParameters
  * The consistent nodal forces of the loads. A force on a node whose copies
  * were separated is shared by them as the elements around it are.
  *
+ * @param pressure_follows whether pressures are left to FollowerPressure.
  * @return a vector without ghosts.
  */
 template <int dim>
 LA::Vector
 assemble_loads(const Discretization<dim> &discretization,
                const LoadParameters<dim> &loads,
-               const Body<dim> &body);
+               const Body<dim> &body,
+               const bool pressure_follows = false);
 } // namespace Setsudan

@@ -77,6 +77,8 @@ internal_forces(const Discretization<dim> &discretization,
  *
  * Ties across a cut couple unknowns that no cell of this process has; the
  * constraints' local lines must contain them.
+ *
+ * @param matrix empty, or from an earlier call with the same constraints.
  */
 template <int dim>
 void

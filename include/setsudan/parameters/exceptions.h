@@ -27,6 +27,21 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/** A matrix that is to be positive definite is not. */
+class NotDefiniteError : public SolverError
+{
+public:
+  using SolverError::SolverError;
+};
+
+/** There is no stable equilibrium: a result, with which a run ends. The message
+ * says where the body gives way. */
+class NoEquilibriumError : public SolverError
+{
+public:
+  using SolverError::SolverError;
+};
+
 /** A state does not obey what holds in all states, as the balance of forces;
  * the message has the numbers. */
 class InvariantError : public std::runtime_error

@@ -27,7 +27,9 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event);
  * under the new state's forces, apart from the work that the blade's thickness
  * has done in wedging the row open:
  *   E(before) + (forces of the wedge) . (new opening) >= E(after).
- * It follows from `after` being the minimum of E over a larger set.
+ * It follows from `after` being the minimum of E over a larger set. In a body
+ * that is not linear the bound on the work does not hold: openings are left out
+ * there.
  *
  * @throw InvariantError with the numbers where it does not hold.
  */

@@ -49,6 +49,21 @@ template <int dim>
 std::string
 describe_solve(const CutBody<dim> &body);
 
+/** With which laws a body of finite strain deforms, and why; nothing where
+ * strain is small. */
+template <int dim>
+std::optional<std::string>
+describe_strain(const Scene<dim> &scene);
+
+/** Where a run ends since a body has no stable equilibrium.
+ *
+ * @param reason a sentence of the solver. */
+template <int dim>
+std::string
+describe_instability(const CutBody<dim> &body,
+                     const Event &event,
+                     const std::string &reason);
+
 /** Where the cut stands still, what was reached, and what would let it go on.
  */
 template <int dim>

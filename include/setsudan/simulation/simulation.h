@@ -40,6 +40,10 @@ public:
   run();
 
 private:
+  /** Deform the body, and make its cuts. */
+  void
+  make_cuts();
+
   /** Make one cut; the answer is whether it went through. */
   bool
   make_cut(const unsigned int cut);

@@ -15,16 +15,21 @@ template <int dim>
 class AssembledSolver : public ConstrainedSolver<dim>
 {
 public:
-  /** As the base.
+  /** As the base. In a linear body it is ready; in others linearize() comes
+   * first.
    *
-   * @param kind  any of which the matrix is assembled.
-   * @param about the displacement about which the tangent is; null in a linear
-   *   body. */
+   * @param kind any of which the matrix is assembled. */
   AssembledSolver(const ElasticModel<dim> &model,
                   const dealii::AffineConstraints<double> &constraints,
                   const SolverParameters &parameters,
-                  const SolverKind kind,
-                  const LA::Vector *about = nullptr);
+                  const SolverKind kind);
+
+  /** Take the tangent about another displacement.
+   *
+   * @throw NotDefiniteError where it is not positive definite; of an iterative
+   *   solver solves do. */
+  void
+  linearize(const Linearization &linearization);
 
 private:
   /** Solve, with iterative refinement. */
@@ -37,6 +42,7 @@ private:
   fail(const double residual) const;
 
   using ConstrainedSolver<dim>::model;
+  using ConstrainedSolver<dim>::constraints;
   using ConstrainedSolver<dim>::accepted;
 
   const SolverKind kind;

@@ -16,6 +16,8 @@ enum class SolverKind
   cholesky,
   /** The same on several processes, by MUMPS. */
   mumps,
+  /** The factorization L D L^T of a matrix that need not be definite. */
+  indefinite,
   /** Conjugate gradients with p-multigrid, without a matrix. */
   matrix_free,
   /** Conjugate gradients with algebraic multigrid of the assembled matrix. */

@@ -19,6 +19,9 @@ struct SolveQuality
   double estimated_relative_error = 0;
   /** A message to the user about the way of the solve; empty in most cases. */
   std::string warning;
+  /** The size of forces that the residual is relative to where that is more
+   * than those of the state itself. */
+  double force_scale = 0;
 };
 
 /**
@@ -35,6 +38,8 @@ struct Solution
   /** The internal forces F(u), K u in a linear body, no constraint applied. */
   LA::Vector internal;
   SolveQuality quality;
+  /** The steps of Newton's method; 0 in a linear body. */
+  unsigned int n_steps = 0;
 };
 
 /** A solve is refined where its relative residual exceeds the first, and has
@@ -88,8 +93,8 @@ quality_of(const LA::Vector &x,
            const double residual,
            const double loads);
 
-/** Solves the linearized equilibrium K u = f under one set of homogeneous
- * constraints, in whichever way it is prepared. */
+/** Solves the equilibrium K u = f, or F(u) = f in a body that is not linear,
+ * under one set of homogeneous constraints, in whichever way it is prepared. */
 class TangentSolver
 {
 public:

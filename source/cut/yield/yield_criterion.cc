@@ -109,7 +109,17 @@ public:
   {
     const auto solver          = body.solver_without(row);
     const BladeAdvance advance = body.advance_of_blade(row);
-    const auto released        = [&](const LinearResponse &response) {
+    const RowArea opened       = body.area_of_row(row);
+    const double required      = requirement(opened.energy, sharpness);
+    if (!body.model().is_linear())
+      {
+        Assert(per_load == nullptr, dealii::ExcInternalError());
+        const double energy =
+          exact_release(body.model(), *solver, advance, base, quality);
+        return
+          [=](const double) { return of_area(energy, required, opened.area); };
+      }
+    const auto released = [&](const LinearResponse &response) {
       return release(body.model(), *solver, advance, response, quality);
     };
     const auto follows = [&](const LinearResponse &response) {
@@ -131,14 +141,8 @@ public:
         energy[2] = by_load.displacement * by_load.internal / 2 +
                     per_load->blade_factor * moved_by_it;
       }
-    const RowArea opened  = body.area_of_row(row);
-    const double required = requirement(opened.energy, sharpness);
-    return [=](const double factor) -> CuttingStress {
-      // Behind the last nodes there is nothing to open.
-      if (opened.area == 0)
-        return {0, 0};
-      return {largest_up_to(factor, energy) / opened.area,
-              required / opened.area};
+    return [=](const double factor) {
+      return of_area(largest_up_to(factor, energy), required, opened.area);
     };
   }
 
@@ -158,6 +162,41 @@ public:
   }
 
 private:
+  static CuttingStress
+  of_area(const double energy, const double required, const double area)
+  {
+    // Behind the last nodes there is nothing to open.
+    if (area == 0)
+      return {0, 0};
+    return {energy / area, required / area};
+  }
+
+  /** The energy that a body which is not linear sets free: its equilibrium is
+   * found without the row's ties, with the blade's load on the next row. */
+  static double
+  exact_release(const ElasticModel<dim> &model,
+                TangentSolver &solver,
+                const BladeAdvance &advance,
+                const LinearResponse &tied,
+                SolveQuality &quality)
+  {
+    LA::Vector forces = tied.forces;
+    forces.add(tied.blade_factor, advance.change);
+    const Solution released =
+      solver.solve(forces, tied.lift, tied.displacement);
+    quality              = combine(quality, released.quality);
+    const auto potential = [&](const LA::Vector &displacement,
+                               const LA::Vector &under) {
+      const InternalForces of_laws = evaluate_laws(model, displacement);
+      return of_laws.energy + of_laws.potential_of_pressure -
+             under * displacement;
+    };
+    const double after = potential(released.displacement, forces);
+    // Last, since it sets the internal variables.
+    return potential(tied.displacement, tied.forces) - after +
+           tied.blade_factor * advance.work;
+  }
+
   /** The largest value between 0 and a factor of a quadratic function of the
    * factor: a load that rises has passed it. */
   static double

@@ -6,6 +6,8 @@
 #include <setsudan/mechanics/stress/grid_gradients.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -184,7 +186,7 @@ DeformationExtremes
 find_extremes(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
   const auto &discretization = model.discretization;
-  if (discretization.type == ElementType::linear)
+  if (discretization.type == ElementType::linear || !model.is_linear())
     return find_extremes(discretization,
                          model.materials,
                          discretization.with_ghosts(displacement));
@@ -201,6 +203,42 @@ find_extremes(const ElasticModel<dim> &model, const LA::Vector &displacement)
 
 
 
+template <int dim>
+SmallestVolume<dim>
+find_smallest_volume(const ElasticModel<dim> &model,
+                     const LA::Vector &displacement)
+{
+  const auto &discretization = model.discretization;
+  const LA::Vector u         = discretization.with_ghosts(displacement);
+  StressEvaluator<dim> at_nodes(
+    discretization, model.materials, node_points(discretization));
+  SmallestVolume<dim> smallest;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        at_nodes.reinit(cell, u);
+        for (unsigned int p = 0; p < at_nodes.n_points(); ++p)
+          if (const double ratio = determinant(unit_symmetric_tensor<dim>() +
+                                               at_nodes.gradient(p));
+              ratio < smallest.ratio)
+            smallest = {ratio, discretization.element(cell), at_nodes.point(p)};
+      }
+  const auto of_processes = Utilities::MPI::all_gather(
+    discretization.communicator,
+    std::make_pair(smallest.ratio,
+                   std::make_pair(smallest.element, smallest.node)));
+  for (const auto &[ratio, where] : of_processes)
+    if (ratio < smallest.ratio)
+      smallest = {ratio, where.first, where.second};
+  return smallest;
+}
+
+
+
+template SmallestVolume<2>
+find_smallest_volume(const ElasticModel<2> &, const LA::Vector &);
+template SmallestVolume<3>
+find_smallest_volume(const ElasticModel<3> &, const LA::Vector &);
 template DeformationExtremes
 find_extremes(const Discretization<2> &,
               const MaterialParameters<2> &,

@@ -38,7 +38,7 @@ estimate_error(const ElasticModel<dim> &model,
     if (cell->is_locally_owned())
       {
         const Hooke &material =
-          model.materials.of_element(discretization.element(cell)).linear();
+          model.materials.of_element(discretization.element(cell)).at_rest;
         recovery.reinit(cell, displacement);
         const auto smooth = recovered.evaluate(cell, recovery);
         double square     = 0;

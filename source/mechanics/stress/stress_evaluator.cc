@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/quadrature_lib.h>
 
+#include <setsudan/mechanics/strain_and_stress.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
 
 namespace Setsudan
@@ -62,7 +63,7 @@ StressEvaluator<dim>::reinit(const Cell &cell, const LA::Vector &displacement)
       displacements[i][c] = displacement(indices[i][c]);
   material = &materials.of_element(discretization.element(cell));
   if (material->is_mixed)
-    dilatation_of_cell = (*dilatation)(cell, displacement);
+    dilatation_of_cell = (*dilatation)(cell, *material, displacement);
 }
 
 
@@ -125,7 +126,7 @@ template <int dim>
 SymmetricTensor<2, dim>
 StressEvaluator<dim>::strain(const unsigned int point) const
 {
-  return symmetrize(gradient(point));
+  return strain_of(*material, gradient(point));
 }
 
 
@@ -134,7 +135,7 @@ template <int dim>
 SymmetricTensor<2, 3>
 StressEvaluator<dim>::stress(const unsigned int p) const
 {
-  return stress_of(*material, strain(p), point(p), dilatation_of_cell);
+  return stress_of(*material, gradient(p), point(p), dilatation_of_cell);
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/quadrature_lib.h>
 
+#include <setsudan/mechanics/strain_and_stress.h>
 #include <setsudan/mechanics/stress/grid_gradients.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
 #include <setsudan/output/frames/frame_content.h>
@@ -192,18 +193,18 @@ show_quadratic_cells(const ElasticModel<dim> &model,
           model.materials.of_element(discretization.element(cell));
         LinearFunction<dim> dilatation_of_cell;
         if (material.is_mixed)
-          dilatation_of_cell = (*dilatation)(cell, displacement);
+          dilatation_of_cell = (*dilatation)(cell, material, displacement);
         for (unsigned int p = 0; p < n_points; ++p)
           {
             const Point<dim> position(
               value_at<dim>(positions, functions[p], batch, lane));
-            const auto strain = symmetrize(batch.at<dim>(p, lane));
+            const auto gradient = batch.at<dim>(p, lane);
             fields.set(
               numbers[cell->active_cell_index()] * n_points + p,
               position,
               value_at<dim>(u.begin(), functions[p], batch, lane),
-              strain,
-              stress_of(material, strain, position, dilatation_of_cell));
+              strain_of(material, gradient),
+              stress_of(material, gradient, position, dilatation_of_cell));
           }
       }
   });

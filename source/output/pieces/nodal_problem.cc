@@ -228,7 +228,7 @@ gather_problem(const SolvedProblem<dim> &solved, const Body<dim> &body)
       problem.elements.push_back(element);
       problem.materials.emplace(
         cell.material,
-        solved.model.materials.of_element(cell.path.element).linear());
+        solved.model.materials.of_element(cell.path.element).at_rest);
     }
   for (const auto &node : whole.nodes)
     for (const auto index : node.indices)

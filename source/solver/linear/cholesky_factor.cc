@@ -84,12 +84,13 @@ CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
                     cholmod_factorize(lower, workspace->factor, &common);
   const bool positive = common.status != CHOLMOD_NOT_POSDEF;
   cholmod_free_sparse(&lower, &common);
-  if (!done || !positive)
+  if (!positive)
+    throw NotDefiniteError(
+      "The direct solver's factorization failed: the matrix is singular to "
+      "working precision. Check that supports hold the body.");
+  if (!done)
     throw SolverError(
-      positive
-        ? "The direct solver's factorization failed: memory ran out."
-        : "The direct solver's factorization failed: the matrix is singular to "
-          "working precision. Check that supports hold the body.");
+      "The direct solver's factorization failed: memory ran out.");
 }
 
 

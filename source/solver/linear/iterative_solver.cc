@@ -35,9 +35,16 @@ IterativeSolver::solve(LA::Vector &x, const LA::Vector &b)
     }
   SolverControl control(parameters.max_iterations,
                         parameters.tolerance * forces);
+  bool is_definite = true;
+  SolverCG<LA::Vector> solver(control);
+  // Approximations of those of the preconditioned matrix.
+  solver.connect_eigenvalues_slot([&](const std::vector<double> &eigenvalues) {
+    is_definite =
+      eigenvalues.empty() || eigenvalues.front() > -1e-12 * eigenvalues.back();
+  });
   try
     {
-      SolverCG<LA::Vector>(control).solve(*matrix, x, b, multigrid);
+      solver.solve(*matrix, x, b, multigrid);
     }
   catch (const SolverControl::NoConvergence &)
     {
@@ -48,6 +55,10 @@ IterativeSolver::solve(LA::Vector &x, const LA::Vector &b)
         " iterations and not Solver/Tolerance. Set Solver/Method = direct, or "
         "allow more iterations with Solver/Maximum iterations.");
     }
+  if (!is_definite)
+    throw NotDefiniteError("Conjugate gradients met a matrix that is not "
+                           "positive definite. Check that supports hold the "
+                           "body.");
 }
 
 

@@ -15,6 +15,8 @@ make_linear_solver(const SolverKind kind, const SolverParameters &parameters)
     return std::make_unique<CholeskySolver>();
   if (kind == SolverKind::mumps)
     return std::make_unique<MumpsSolver>();
+  if (kind == SolverKind::indefinite)
+    return std::make_unique<MumpsSolver>(50, false);
   Assert(kind == SolverKind::algebraic_multigrid, dealii::ExcInternalError());
   return std::make_unique<IterativeSolver>(parameters);
 }

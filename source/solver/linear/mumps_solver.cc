@@ -31,8 +31,9 @@ check(const int error, const std::string &what)
 } // namespace
 
 
-MumpsSolver::MumpsSolver(const int spare_percent)
+MumpsSolver::MumpsSolver(const int spare_percent, const bool is_definite)
   : spare_percent(spare_percent)
+  , is_definite(is_definite)
 {
 }
 
@@ -63,7 +64,7 @@ MumpsSolver::factorize(const int percent)
 {
   auto solver = std::make_unique<Amesos_Mumps>(problem);
   Teuchos::ParameterList parameters;
-  parameters.set("MatrixProperty", "SPD");
+  parameters.set("MatrixProperty", is_definite ? "SPD" : "symmetric");
   check(solver->SetParameters(parameters), "set-up");
   solver->SetICNTL(14, percent);
   check(solver->SymbolicFactorization(), "symbolic factorization");
@@ -76,6 +77,14 @@ MumpsSolver::factorize(const int percent)
   if (too_small && percent < most_spare_percent)
     return false;
   check(error, "numeric factorization");
+  // What MUMPS factors as a positive definite matrix it counts negative pivots
+  // of.
+  int n_negative = solver->GetINFOG()[11];
+  problem.GetOperator()->Comm().Broadcast(&n_negative, 1, 0);
+  if (is_definite && n_negative > 0)
+    throw NotDefiniteError(
+      "The direct solver's factorization found a matrix that is not positive "
+      "definite. Check that supports hold the body.");
   mumps = std::move(solver);
   return true;
 }

@@ -21,6 +21,25 @@ struct DeformationExtremes
   double max_displacement = 0;
 };
 
+/** Where a body is pressed together most. */
+template <int dim>
+struct SmallestVolume
+{
+  /** The smallest determinant of the deformation gradient at nodes. */
+  double ratio         = std::numeric_limits<double>::max();
+  unsigned int element = 0;
+  /** The node at rest. */
+  dealii::Point<dim> node;
+};
+
+/** The same on all processes.
+ *
+ * @param displacement without ghosts. */
+template <int dim>
+SmallestVolume<dim>
+find_smallest_volume(const ElasticModel<dim> &model,
+                     const LA::Vector &displacement);
+
 /** @param displacement without ghosts. */
 template <int dim>
 DeformationExtremes

@@ -22,8 +22,11 @@ public:
    *   several processes its need depends on which of them is ready first, and
    *   the estimate may fall short; then the factorization is repeated with
    *   more.
+   * @param is_definite whether another matrix than a positive definite one is
+   *   a mistake.
    */
-  explicit MumpsSolver(const int spare_percent = 50);
+  explicit MumpsSolver(const int spare_percent = 50,
+                       const bool is_definite  = true);
 
   ~MumpsSolver() override;
 
@@ -40,6 +43,7 @@ private:
   factorize(const int percent);
 
   const int spare_percent;
+  const bool is_definite;
   Epetra_LinearProblem problem;
   std::unique_ptr<Amesos_Mumps> mumps;
 };

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace Setsudan
+{
+/** The energy U(J) that a change of volume stores, J being the volume over that
+ * at rest. */
+class VolumetricEnergy
+{
+public:
+  /** U over the modulus. All have the second derivative 1 at rest.
+   *
+   * - Ciarlet:     (J^2 - 1 - 2 ln J) / 4, which grows without limit as J goes
+   *   to 0 or infinity, and is convex (Ciarlet and Geymonat 1982, Comptes
+   *   Rendus de l'Academie des Sciences 295, 423-426);
+   * - quadratic:   (J - 1)^2 / 2, finite for J = 0;
+   * - logarithmic: (ln J)^2 / 2, whose pressure falls again beyond J = e. */
+  enum class Form
+  {
+    ciarlet,
+    quadratic,
+    logarithmic
+  };
+
+  /** @param modulus [force/area]. */
+  VolumetricEnergy(const Form form, const double modulus);
+
+  /** U per volume at rest [force/area]. */
+  double
+  value(const double J) const;
+
+  /** U', the mean Cauchy stress that is due to it. */
+  double
+  derivative(const double J) const;
+
+  double
+  second_derivative(const double J) const;
+
+private:
+  const Form form;
+  const double modulus;
+};
+} // namespace Setsudan

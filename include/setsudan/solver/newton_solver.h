@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/solver/solver_parameters.h>
+#include <setsudan/solver/tangent_solver.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <memory>
+
+namespace Setsudan
+{
+/**
+ * Solves F(u) = f for a body whose laws are not linear, by Newton's method with
+ * the assembled tangent.
+ *
+ * What has changed since the state that a solve starts from, loads, ties and
+ * what is prescribed, is applied at once; where that fails, in parts: the
+ * residual of that state under the new constraints is what it still lacks, and
+ * is taken off in proportion. Each part is tried with a tangent whose stress is
+ * extrapolated (see LawIntegration), then with the exact one and a line search.
+ *
+ * An equilibrium whose tangent is not positive definite is not stable, and is
+ * none of those that a body takes; neither is one that turns an element inside
+ * out at a node.
+ */
+template <int dim>
+class NewtonSolver : public TangentSolver
+{
+public:
+  using Constraints = dealii::AffineConstraints<double>;
+
+  /** @param model must live as long.
+   * @param constraints homogeneous and closed. */
+  NewtonSolver(const ElasticModel<dim> &model,
+               std::shared_ptr<const Constraints> constraints,
+               const SolverParameters &parameters);
+
+  /**
+   * As the base.
+   *
+   * @param start a displacement that has been solved for, or that of the body
+   *   at rest.
+   * @throw NoEquilibriumError where there is none that can be reached; it says
+   *   how far the way could be followed, and where the body gives way.
+   */
+  Solution
+  solve(const LA::Vector &forces,
+        const LA::Vector &lift,
+        const LA::Vector &start) override;
+
+private:
+  const ElasticModel<dim> &model;
+  const std::shared_ptr<const Constraints> constraints;
+  const SolverParameters parameters;
+};
+} // namespace Setsudan
