@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/mpi.h>
-
 #include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/mesh/geometry.h>
 #include <setsudan/solver/assembled_solver.h>
 #include <setsudan/solver/newton_solver.h>
-
-#include <boost/serialization/utility.hpp>
+#include <setsudan/solver/softest_mode.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,10 +110,6 @@ private:
 
   [[noreturn]] void
   give_up(const Iterate &last, const double part);
-
-  /** Where and to which side the body gives way. */
-  std::string
-  describe_softest_mode(const LA::Vector &displacement);
 
   const ElasticModel<dim> &model;
   const Constraints &constraints;
@@ -405,56 +398,17 @@ Newton<dim>::give_up(const Iterate &last, const double part)
                "through itself. Spread the load, lower it, or take larger "
                "elements.";
   else
-    message << "There the body gives way " +
-                 describe_softest_mode(last.displacement) +
-                 " without more load. Hold it, or lower the load.";
+    {
+      const auto softest =
+        softest_mode(model, constraints, parameters, last.displacement);
+      message << "There the body gives way along (";
+      for (unsigned int c = 0; c < dim; ++c)
+        message << (c == 0 ? "" : ", ")
+                << std::round(100 * softest.direction[c]) / 100;
+      message << ") at " << text_of(softest.node)
+              << " without more load. Hold it, or lower the load.";
+    }
   throw NoEquilibriumError(message.str());
-}
-
-
-
-template <int dim>
-std::string
-Newton<dim>::describe_softest_mode(const LA::Vector &displacement)
-{
-  // Inverse iteration.
-  constexpr unsigned int n_iterations = 30;
-  const auto &discretization          = model.discretization;
-  LA::Vector mode                     = discretization.zero_vector();
-  for (const auto index : discretization.owned)
-    mode(index) = 1 + std::sin(1. + index);
-  mode.compress(VectorOperation::insert);
-  AssembledSolver<dim> inverse(
-    model, constraints, parameters, SolverKind::indefinite);
-  inverse.linearize({&displacement});
-  for (unsigned int i = 0; i < n_iterations; ++i)
-    {
-      mode = inverse.increment(mode, mode, quality);
-      mode /= mode.l2_norm();
-    }
-  std::pair<double, std::pair<Point<dim>, Tensor<1, dim>>> largest;
-  const auto &locations = discretization.dof_locations();
-  unsigned int local    = 0;
-  Tensor<1, dim> of_node;
-  for (const auto index : discretization.owned)
-    {
-      const auto &[position, component] = locations[local++];
-      of_node[component]                = mode(index);
-      // The components of a node follow each other.
-      if (component == dim - 1 && of_node.norm() > largest.first)
-        largest = {of_node.norm(), {position, of_node / of_node.norm()}};
-    }
-  for (const auto &other :
-       Utilities::MPI::all_gather(discretization.communicator, largest))
-    if (other.first > largest.first)
-      largest = other;
-  std::ostringstream text;
-  text.precision(2);
-  for (unsigned int c = 0; c < dim; ++c)
-    text << (c == 0 ? "along (" : ", ")
-         << std::round(100 * largest.second.second[c]) / 100;
-  text << ") at " << text_of(largest.second.first);
-  return text.str();
 }
 } // namespace
 

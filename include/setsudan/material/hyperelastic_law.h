@@ -6,6 +6,8 @@
 #include <setsudan/material/constitutive_law.h>
 #include <setsudan/material/volumetric_energy.h>
 
+#include <string>
+
 namespace Setsudan
 {
 /** What a strain energy W(C) gives at a right Cauchy-Green tensor C. */

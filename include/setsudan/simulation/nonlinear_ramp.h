@@ -3,6 +3,8 @@
 
 #include <setsudan/simulation/drive.h>
 
+#include <optional>
+
 namespace Setsudan
 {
 /** The blade's forces times the smallest factor at which the row yields, as
