@@ -47,7 +47,8 @@ def main():
     measured = {name: measure(name) for name in (*SCENES, FINE)}
     fill_report({"rows": rows_table(), "scenes": scenes_table(measured),
                  "statements": statements_table(measured),
-                 "edge": edge_table(measured)})
+                 "edge": edge_table(measured),
+                 "finite": finite_table(measured)})
 
 
 def draw_beside(figure_name, frames):
@@ -79,11 +80,14 @@ def read_run(name):
 
 
 def measure(name):
-    """Numbers of the first deformed state."""
+    """Numbers of the first deformed state; none where there is no such state."""
     folder = os.path.join(RESULTS, name)
     with open(f"{folder}/statistics.csv", newline="") as table:
-        state = next(line for line in csv.DictReader(table)
-                     if line["event"] == "deform")
+        states = [line for line in csv.DictReader(table)
+                  if line["event"] == "deform"]
+    if not states:
+        return None
+    state = states[0]
     with open(f"{folder}/nodes_0001.csv", newline="") as table:
         nodes = [{key: float(line[key]) for key in
                   ("x", "y", "z", "ux", "uy", "uz")}
@@ -136,6 +140,24 @@ def edge_table(measured):
                   for name, elements in (("figure_6_left", "1 × 2 × 1"),
                                          ("figure_6_right", "1 × 2 × 1"),
                                          (FINE, "4 × 8 × 4"))])
+
+
+def finite_table(measured):
+    """Small and finite strain beside each other."""
+    scenes = {name: (change, measured[name], measure(f"finite/{name}"))
+              for name, change in SCENES.items()}
+    scenes["figure_6_left, edge held"] = (
+        "E = 2.5, front fixed along x", measure("small/figure_6_left_held"),
+        measure("finite/figure_6_left_held"))
+
+    def both(small, finite, key):
+        sign = "+" if key == "rise" else "#"
+        return (f"{small[key]:{sign}.4g} → " +
+                (f"{finite[key]:{sign}.4g}" if finite else "–"))
+    keys = [(key, title) for key, title in MEASURES if key != "max_strain"]
+    return table(["scene", "changed", *(title for _, title in keys)],
+                 [[name, change, *(both(small, finite, key) for key, _ in keys)]
+                  for name, (change, small, finite) in scenes.items()])
 
 
 def table(titles, lines):

@@ -44,6 +44,11 @@ Simulation<dim>::Simulation(const Scene<dim> &scene,
   // From now on the directory is that of a run that has begun.
   checkpoints.make({});
   results.write_parameters(parameters);
+  if (!scene.material.finite_strain &&
+      parameters.text("Material", "Law") != "auto")
+    results.progress.warn(
+      "Material/Law has no effect with Deformation/Strain = small, which takes "
+      "Hooke's law.");
 }
 
 

@@ -18,6 +18,8 @@ EXTENT = "'all', 'depth : d' with d greater than 0, or 'box"
 NOTHING = "touches no face of an element inside the body"
 E = "Material/Young's modulus"
 NU = "Material/Poisson's ratio"
+LAW = "Material/Law"
+FINITE = {"Deformation/Strain": "finite"}
 NO_FACES = {"Support/Fixed faces": ""}
 MEAN_SHEAR = {"Yield/Criterion": "mean shear"}
 A_FILE = {"Body/Shape": "file"}
@@ -77,6 +79,26 @@ WRONG_VALUES = {
         (E, "1e-320", PATTERN),
         (E, "", PATTERN),
         (E, "5.0 kPa", PATTERN),
+        ("Deformation/Strain", "large", "finite"),
+        (LAW, "rubber", "neo-Hooke"),
+        (LAW, "neo-Hooke; top : Ogden", "groups of elements, and 'top' is none"),
+        (LAW, "neo-Hooke; cream : Ogden", "and 'cream' is none of them"),
+        (LAW, "Ogden", "Material/Law is Ogden", FINITE),
+        (LAW, "neo-Hooke", "isochoric neo-Hooke", {**FINITE, NU: "0.49"}),
+        (LAW, "linear elastic", "mixed formulation",
+         {**FINITE, "Material/Formulation": "mixed"}),
+        ("Material/Volumetric energy", "Hencky", "logarithmic"),
+        ("Material/Mooney-Rivlin share", "1.5", "from 0 to 1"),
+        ("Material/Mooney-Rivlin share", "nan", PATTERN),
+        ("Material/Ogden terms", "1", "'modulus : exponent'"),
+        ("Material/Ogden terms", "1 : 0", "not 0"),
+        ("Material/Ogden terms", "1 : -2; 0.1 : 2", "positive sum"),
+        ("Division/Solve", "condensed", "every row anew", FINITE),
+        ("Division/Split rows", "wedged", "opened or free", FINITE),
+        ("Accuracy/Estimate", "true", "false where", FINITE),
+        ("Accuracy/Target", "0.01", "0 where", FINITE),
+        ("Board/Plane", "0, 0, 0; 0, 0, 1", "nothing", FINITE),
+        ("Output/CalculiX decks", "true", "false where", FINITE),
         ("Material/Shear limit", "0", "greater than 0"),
         ("Material/Toughness", "0", "greater than 0"),
         ("Material/Toughness", "-1", "greater than 0"),
