@@ -82,8 +82,8 @@ make_law(const Parameters &parameters,
 {
   parameters.require(name != "Ogden" || !laws.ogden_terms.empty(),
                      "Material",
-                     "Ogden terms",
-                     "terms, since Material/Law is Ogden");
+                     "Law",
+                     "another law, or Ogden with Material/Ogden terms");
   const auto law = laws.make(name, at_rest, is_mixed);
   parameters.require(law != nullptr,
                      "Material",
