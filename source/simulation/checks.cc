@@ -188,7 +188,11 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
     }
   const auto overlap =
     find_wall_overlap(body.walls(), state.displacement, body.communicator());
-  event.overlap = overlap.depth;
+  // Newton's method ends before round-off, and walls that touch overlap by what
+  // it leaves.
+  const double left =
+    body.model().is_linear() ? 0 : 1e-8 * body.scene().body.mesh.extent();
+  event.overlap = overlap.depth > left ? overlap.depth : 0;
   return overlap;
 }
 
