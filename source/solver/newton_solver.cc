@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string>
 
 namespace Setsudan
 {
@@ -24,20 +25,27 @@ constexpr double smallest_part = 1. / 256;
 
 
 
-/** Go on from one part of a way to another, with the one tangent or the other;
- * nothing where neither leads to a state that a body can be in. */
+/**
+ * Go on from one part of a way to another, with the one tangent or the other;
+ * nothing where neither leads to a state that a body can be in.
+ *
+ * @param failure of a linear solve that was in the way of the exact tangent; is
+ *   set.
+ */
 template <int dim>
 std::optional<NewtonIterate>
 try_part(const ElasticModel<dim> &model,
          NewtonPath<dim> &path,
          const NewtonIterate &from,
          const double part_of_from,
-         const double part)
+         const double part,
+         std::optional<SolverError> &failure)
 {
   using Tangent = typename NewtonPath<dim>::Tangent;
   for (const auto tangent : {Tangent::extrapolated, Tangent::exact})
     try
       {
+        failure.reset();
         auto reached = path.go(from, part_of_from, part, tangent);
         if (reached &&
             find_smallest_volume(model, reached->displacement).ratio > 0)
@@ -47,7 +55,41 @@ try_part(const ElasticModel<dim> &model,
       {
         // Not stable, as a failure of the steps may mean too.
       }
+    catch (const SolverError &error)
+      {
+        failure.emplace(error);
+      }
   return {};
+}
+
+
+
+/** Where a body gives way, as a sentence. */
+template <int dim>
+std::string
+describe_softest_mode(const ElasticModel<dim> &model,
+                      const AffineConstraints<double> &constraints,
+                      const SolverParameters &parameters,
+                      const LA::Vector &displacement)
+{
+  std::ostringstream text;
+  text << "There the body gives way";
+  try
+    {
+      const auto softest =
+        softest_mode(model, constraints, parameters, displacement);
+      text << " along (";
+      for (unsigned int c = 0; c < dim; ++c)
+        text << (c == 0 ? "" : ", ")
+             << std::round(100 * softest.direction[c]) / 100;
+      text << ") at " << text_of(softest.node);
+    }
+  catch (const SolverError &)
+    {
+      // The tangent is so nearly singular that it cannot be solved with.
+    }
+  text << " without more load. Hold it, or lower the load.";
+  return text.str();
 }
 
 
@@ -76,15 +118,7 @@ give_up(const ElasticModel<dim> &model,
                "through itself. Spread the load, lower it, or take larger "
                "elements.";
   else
-    {
-      const auto softest = softest_mode(model, constraints, parameters, last);
-      message << "There the body gives way along (";
-      for (unsigned int c = 0; c < dim; ++c)
-        message << (c == 0 ? "" : ", ")
-                << std::round(100 * softest.direction[c]) / 100;
-      message << ") at " << text_of(softest.node)
-              << " without more load. Hold it, or lower the load.";
-    }
+    message << describe_softest_mode(model, constraints, parameters, last);
   throw NoEquilibriumError(message.str());
 }
 } // namespace
@@ -111,11 +145,12 @@ NewtonSolver<dim>::solve(const LA::Vector &forces,
   NewtonPath<dim> path(model, *constraints, parameters, forces, lift, start);
   NewtonIterate last   = path.beginning();
   unsigned int n_steps = 0;
+  std::optional<SolverError> failure;
   double part = 0, length = 1;
   while (part < 1)
     {
       const double next = std::min(part + length, 1.);
-      if (auto reached = try_part(model, path, last, part, next))
+      if (auto reached = try_part(model, path, last, part, next, failure))
         {
           n_steps += reached->n_steps;
           if (reached->n_steps <= few_steps)
@@ -124,7 +159,11 @@ NewtonSolver<dim>::solve(const LA::Vector &forces,
           part = next;
         }
       else if (length /= 2; length < smallest_part)
-        give_up(model, *constraints, parameters, last.displacement, part);
+        {
+          if (failure)
+            throw *failure;
+          give_up(model, *constraints, parameters, last.displacement, part);
+        }
     }
   path.quality.residual    = last.relative_residual;
   path.quality.force_scale = path.size_of_first_forces();
