@@ -7,6 +7,7 @@
 // walls come apart in the end is nothing with a thin blade: no criterion.
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <setsudan/contact/complementarity.h>
 #include <setsudan/simulation/stage_compliance.h>
@@ -40,6 +41,18 @@ settings(const std::string &shape)
 
 
 
+/** A symmetric matrix of its lower triangle. */
+LAPACKFullMatrix<double>
+whole(LAPACKFullMatrix<double> matrix)
+{
+  for (unsigned int i = 0; i < matrix.m(); ++i)
+    for (unsigned int j = i + 1; j < matrix.n(); ++j)
+      matrix(i, j) = matrix(j, i);
+  return matrix;
+}
+
+
+
 /** A block that is cut half through, and the row that is released next. */
 struct Block
 {
@@ -62,8 +75,8 @@ struct Block
         }
     const auto compliance =
       StageCompliance<2>::make(body, forces, body.seam().rows().size());
-    tied     = compliance->products(n_split);
-    released = compliance->products(n_split + 1);
+    tied     = whole(compliance->products(n_split));
+    released = whole(compliance->products(n_split + 1));
   }
 
   /** The conditions of a stage, which are no different at other parameters. */
