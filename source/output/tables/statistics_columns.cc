@@ -231,11 +231,13 @@ columns_of_body()
   return {
     column("strain_energy",
            "F L",
-           "The elastic energy of the body, u.Ku/2.",
+           "The elastic energy of the body, u.Ku/2 of a linear one.",
            &Event::strain_energy),
     column("potential_energy",
            "F L",
-           "That minus the work of all loads at their present size, f.u.",
+           "That minus the work of all loads at their present size, f.u; with "
+           "finite strain also minus pressures times the volume below their "
+           "surface.",
            &Event::potential_energy),
     column("max_displacement",
            "L",
@@ -263,7 +265,8 @@ columns_of_body()
     column("seconds", "s", "The time since the run began.", &Event::seconds, 4),
     column("max_strain",
            "-",
-           "The largest principal strain, in magnitude, at a Gauss point.",
+           "The largest principal strain, in magnitude, at a Gauss point; with "
+           "finite strain an elongation.",
            &Event::max_strain),
     column("max_shear",
            "F/L^2",
