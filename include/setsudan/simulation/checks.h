@@ -28,8 +28,8 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event);
  * has done in wedging the row open:
  *   E(before) + (forces of the wedge) . (new opening) >= E(after).
  * It follows from `after` being the minimum of E over a larger set. In a body
- * that is not linear the bound on the work does not hold, and pressures may have
- * no potential: both are left out there.
+ * that is not linear the bound on the work does not hold, and pressures may
+ * have no potential: both are left out there.
  *
  * @throw InvariantError with the numbers where it does not hold.
  */
