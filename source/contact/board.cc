@@ -120,11 +120,8 @@ BoardParameters<dim>::find_faces(const Body<dim> &body)
   for (const auto &face : outer_faces_against(mesh, normal))
     {
       double nearest = std::numeric_limits<double>::max();
-      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
-        nearest = std::min(
-          nearest,
-          distance(mesh.vertices[mesh.cells[face.first].vertices[GeometryInfo<
-            dim>::face_to_cell_vertices(face.second, v)]]));
+      for (const unsigned int vertex : mesh.face_vertices(face))
+        nearest = std::min(nearest, distance(mesh.vertices[vertex]));
       if (nearest <= reach * height)
         faces.push_back(face);
     }
@@ -204,14 +201,11 @@ travel_to_board(const BoardParameters<dim> &board,
   double entry  = std::numeric_limits<double>::max();
   double travel = entry;
   for (const auto &face : cut.surface.faces)
-    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+    for (const unsigned int corner : mesh.face_vertices(face.minus))
       {
-        const unsigned int corner =
-          GeometryInfo<dim>::face_to_cell_vertices(face.minus.second, v);
-        const Point<dim> &vertex =
-          mesh.vertices[mesh.cells[face.minus.first].vertices[corner]];
-        const double to_vertex = cut.edge.travel(vertex);
-        entry                  = std::min(entry, to_vertex);
+        const Point<dim> &vertex = mesh.vertices[corner];
+        const double to_vertex   = cut.edge.travel(vertex);
+        entry                    = std::min(entry, to_vertex);
         travel =
           std::min(travel, to_vertex + board.distance(vertex) / approach);
       }

@@ -39,20 +39,15 @@ faces_against(const CoarseMesh<dim> &mesh,
   const double tolerance = on_plane * mesh.extent();
   for (const auto &face : outer_faces_against(mesh, edge.direction))
     {
-      const auto &[cell, number] = face;
-      if (!is_there(cell))
+      if (!is_there(face.first))
         continue;
       double lowest  = std::numeric_limits<double>::max();
       double highest = std::numeric_limits<double>::lowest();
-      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+      for (const unsigned int vertex : mesh.face_vertices(face))
         {
-          const unsigned int corner =
-            GeometryInfo<dim>::face_to_cell_vertices(number, v);
-          const double offset =
-            (mesh.vertices[mesh.cells[cell].vertices[corner]] - on_cut) *
-            edge.normal;
-          lowest  = std::min(lowest, offset);
-          highest = std::max(highest, offset);
+          const double offset = (mesh.vertices[vertex] - on_cut) * edge.normal;
+          lowest              = std::min(lowest, offset);
+          highest             = std::max(highest, offset);
         }
       if (lowest >= -tolerance)
         sides[1].push_back(face);

@@ -195,9 +195,9 @@ face_hats(const ElasticModel<dim> &model, const std::vector<CellFace> &faces)
 template <int dim>
 std::vector<CellFace>
 outer_faces_against(const CoarseMesh<dim> &mesh,
-                    const Tensor<1, dim> &direction)
+                    const Tensor<1, dim> &direction,
+                    const double least_cosine)
 {
-  constexpr double least_cosine = 0.2;
   std::vector<CellFace> faces;
   const FaceIndex<dim> index(mesh);
   for (const auto &[key, face] : index.faces())
@@ -215,9 +215,9 @@ outer_faces_against(const CoarseMesh<dim> &mesh,
 
 
 template std::vector<CellFace>
-outer_faces_against(const CoarseMesh<2> &, const Tensor<1, 2> &);
+outer_faces_against(const CoarseMesh<2> &, const Tensor<1, 2> &, const double);
 template std::vector<CellFace>
-outer_faces_against(const CoarseMesh<3> &, const Tensor<1, 3> &);
+outer_faces_against(const CoarseMesh<3> &, const Tensor<1, 3> &, const double);
 template std::vector<FaceHat<2>>
 face_hats(const ElasticModel<2> &, const std::vector<CellFace> &);
 template std::vector<FaceHat<3>>

@@ -65,7 +65,7 @@ Dilatation<dim>::operator()(const Cell &cell,
   const FEValuesExtractors::Vector components(0);
   fe_values.reinit(cell);
   const auto fit        = dilatation_fit(type, fe_values);
-  const auto *const law = dynamic_cast<const HyperelasticLaw *>(&*material.law);
+  const auto *const law = material.law->hyperelastic();
   if (law == nullptr)
     {
       fe_values[components].get_function_divergences(displacement, divergences);

@@ -160,30 +160,18 @@ template <int dim>
 InternalForces
 evaluate_laws(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
-  const auto &discretization = model.discretization;
-  InternalForces result{discretization.zero_vector()};
-  if (model.is_linear())
-    {
-      result.forces = internal_forces(model, displacement);
-      result.energy = stored_energy(model, displacement, result.forces);
-      return result;
-    }
-  const LA::Vector u = discretization.with_ghosts(displacement);
+  const LA::Vector u = model.discretization.with_ghosts(displacement);
   CellForces<dim> of_cell(model);
-  std::vector<types::global_dof_index> indices(
-    discretization.fe.n_dofs_per_cell());
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        of_cell.reinit(cell, u);
-        cell->get_dof_indices(indices);
-        result.forces.add(indices, of_cell.laws.forces);
-        result.energy += of_cell.laws.energy;
-        result.potential_of_pressure += of_cell.potential_of_pressure;
-      }
-  result.forces.compress(VectorOperation::add);
+  InternalForces result;
+  result.forces = assemble_forces<dim>(
+    model.discretization, [&](const auto &cell, const auto &) {
+      of_cell.reinit(cell, u);
+      result.energy += of_cell.laws.energy;
+      result.potential_of_pressure += of_cell.potential_of_pressure;
+      return &of_cell.laws.forces;
+    });
   for (double *const sum : {&result.energy, &result.potential_of_pressure})
-    *sum = Utilities::MPI::sum(*sum, discretization.communicator);
+    *sum = Utilities::MPI::sum(*sum, model.discretization.communicator);
   return result;
 }
 
@@ -194,21 +182,14 @@ LA::Vector
 follower_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
   const auto &discretization = model.discretization;
-  LA::Vector forces          = discretization.zero_vector();
+  if (!model.materials.finite_strain || !model.load_parameters.has_pressure())
+    return discretization.zero_vector();
   FollowerPressure<dim> pressure(discretization, model.load_parameters);
-  if (!model.materials.finite_strain || pressure.empty())
-    return forces;
   const LA::Vector u = discretization.with_ghosts(displacement);
-  std::vector<types::global_dof_index> indices(
-    discretization.fe.n_dofs_per_cell());
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned() && pressure.reinit(cell, u, false))
-      {
-        cell->get_dof_indices(indices);
-        forces.add(indices, pressure.forces);
-      }
-  forces.compress(VectorOperation::add);
-  return forces;
+  return assemble_forces<dim>(
+    discretization, [&](const auto &cell, const auto &) {
+      return pressure.reinit(cell, u, false) ? &pressure.forces : nullptr;
+    });
 }
 
 
@@ -277,60 +258,40 @@ tangent_times(const ElasticModel<dim> &model,
               const LA::Vector &displacement,
               const LA::Vector &direction)
 {
-  if (model.is_linear())
-    return internal_forces(model, direction);
   const auto &discretization = model.discretization;
   const LA::Vector u         = discretization.with_ghosts(displacement);
   const LA::Vector d         = discretization.with_ghosts(direction);
   CellForces<dim> forces(model);
   const unsigned int n = discretization.fe.n_dofs_per_cell();
-  std::vector<types::global_dof_index> indices(n);
   dealii::Vector<double> of_cell(n), product(n);
-  LA::Vector result = discretization.zero_vector();
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        cell->get_dof_indices(indices);
-        d.extract_subvector_to(indices.begin(), indices.end(), of_cell.begin());
-        if (of_cell.all_zero())
-          continue;
-        forces.reinit_with_tangent(cell, u, nullptr);
-        forces.laws.tangent.vmult(product, of_cell);
-        result.add(indices, product);
-      }
-  result.compress(VectorOperation::add);
-  return result;
+  return assemble_forces<dim>(
+    discretization,
+    [&](const auto &cell,
+        const auto &indices) -> const dealii::Vector<double> * {
+      d.extract_subvector_to(indices.begin(), indices.end(), of_cell.begin());
+      if (of_cell.all_zero())
+        return nullptr;
+      forces.reinit_with_tangent(cell, u, nullptr);
+      forces.laws.tangent.vmult(product, of_cell);
+      return &product;
+    });
 }
 
 
 
-template <int dim>
-double
-stored_energy(const ElasticModel<dim> &model,
-              const LA::Vector &displacement,
-              const LA::Vector &internal)
-{
-  return model.is_linear() ? 0.5 * (displacement * internal)
-                           : evaluate_laws(model, displacement).energy;
-}
-
-
-
-#define INSTANTIATE(dim)                                                \
-  template struct ElasticModel<dim>;                                    \
-  template InternalForces evaluate_laws(const ElasticModel<dim> &,      \
-                                        const LA::Vector &);            \
-  template LA::Vector follower_forces(const ElasticModel<dim> &,        \
-                                      const LA::Vector &);              \
-  template LA::Vector internal_forces(const ElasticModel<dim> &,        \
-                                      const LA::Vector &);              \
-  template void assemble_tangent(const ElasticModel<dim> &,             \
-                                 const Linearization &,                 \
-                                 const AffineConstraints<double> &,     \
-                                 LA::SparseMatrix &);                   \
-  template LA::Vector tangent_times(                                    \
-    const ElasticModel<dim> &, const LA::Vector &, const LA::Vector &); \
-  template double stored_energy(                                        \
+#define INSTANTIATE(dim)                                            \
+  template struct ElasticModel<dim>;                                \
+  template InternalForces evaluate_laws(const ElasticModel<dim> &,  \
+                                        const LA::Vector &);        \
+  template LA::Vector follower_forces(const ElasticModel<dim> &,    \
+                                      const LA::Vector &);          \
+  template LA::Vector internal_forces(const ElasticModel<dim> &,    \
+                                      const LA::Vector &);          \
+  template void assemble_tangent(const ElasticModel<dim> &,         \
+                                 const Linearization &,             \
+                                 const AffineConstraints<double> &, \
+                                 LA::SparseMatrix &);               \
+  template LA::Vector tangent_times(                                \
     const ElasticModel<dim> &, const LA::Vector &, const LA::Vector &);
 
 INSTANTIATE(2)

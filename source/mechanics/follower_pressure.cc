@@ -3,7 +3,6 @@
 
 #include <setsudan/mechanics/follower_pressure.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace Setsudan
@@ -18,25 +17,13 @@ FollowerPressure<dim>::FollowerPressure(
   , tangent(forces.size(), forces.size())
   , discretization(discretization)
   , loads(loads)
-  , any(std::any_of(
-      loads.surface_loads.begin(),
-      loads.surface_loads.end(),
-      [](const auto &of_face) { return of_face.second.pressure != 0; }))
+  , any(loads.has_pressure())
   , face_values(discretization.mapping(),
                 discretization.fe,
                 QGauss<dim - 1>(discretization.n_gauss_points()),
                 update_values | update_gradients | update_JxW_values |
                   update_normal_vectors | update_quadrature_points)
 {
-}
-
-
-
-template <int dim>
-bool
-FollowerPressure<dim>::empty() const
-{
-  return !any;
 }
 
 

@@ -81,8 +81,7 @@ LawIntegration<dim>::respond(const ConstitutiveLaw &law,
                              const Gradients &gradients,
                              const Gradients *before) const
 {
-  const auto *const elastic =
-    before != nullptr ? dynamic_cast<const HyperelasticLaw *>(&law) : nullptr;
+  const auto *const elastic = before != nullptr ? law.hyperelastic() : nullptr;
   std::vector<MaterialResponse> responses;
   for (unsigned int q = 0; q < gradients.size(); ++q)
     {
@@ -237,9 +236,9 @@ LawIntegration<dim>::evaluate(const Cell &cell,
                               const bool needs_tangent)
 {
   const Material &material = materials.of_element(discretization.element(cell));
+  const auto *const elastic = material.law->hyperelastic();
   const auto *const decoupled =
-    material.is_mixed ? dynamic_cast<const DecoupledLaw *>(&*material.law)
-                      : nullptr;
+    material.is_mixed && elastic != nullptr ? elastic->decoupled() : nullptr;
   fe_values.reinit(cell);
   forces               = 0;
   tangent              = 0;

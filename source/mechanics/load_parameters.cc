@@ -5,6 +5,8 @@
 #include <setsudan/mesh/face_index.h>
 #include <setsudan/parameters/lists.h>
 
+#include <algorithm>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -160,6 +162,18 @@ bool
 LoadParameters<dim>::empty() const
 {
   return body_force == Force() && surface_loads.empty() && nodal_forces.empty();
+}
+
+
+
+template <int dim>
+bool
+LoadParameters<dim>::has_pressure() const
+{
+  return std::any_of(
+    surface_loads.begin(), surface_loads.end(), [](const auto &of_face) {
+      return of_face.second.pressure != 0;
+    });
 }
 
 

@@ -115,25 +115,43 @@ ElementStiffness<dim>::dilatations(const bool are_projected) const
 
 template <int dim>
 LA::Vector
+assemble_forces(
+  const Discretization<dim> &discretization,
+  const std::function<const dealii::Vector<double> *(
+    const typename Discretization<dim>::Cell &,
+    const std::vector<types::global_dof_index> &)> &forces_of_cell)
+{
+  std::vector<types::global_dof_index> indices(
+    discretization.fe.n_dofs_per_cell());
+  LA::Vector forces = discretization.zero_vector();
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        cell->get_dof_indices(indices);
+        if (const auto *const of_cell = forces_of_cell(cell, indices))
+          forces.add(indices, *of_cell);
+      }
+  forces.compress(VectorOperation::add);
+  return forces;
+}
+
+
+
+template <int dim>
+LA::Vector
 internal_forces(const Discretization<dim> &discretization,
                 const ElementStiffness<dim> &stiffness,
                 const LA::Vector &displacement)
 {
   const unsigned int n = discretization.fe.n_dofs_per_cell();
   dealii::Vector<double> cell_displacement(n), cell_forces(n);
-  std::vector<types::global_dof_index> indices(n);
-  LA::Vector forces = discretization.zero_vector();
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        cell->get_dof_indices(indices);
-        displacement.extract_subvector_to(
-          indices.begin(), indices.end(), cell_displacement.begin());
-        stiffness(cell).vmult(cell_forces, cell_displacement);
-        forces.add(indices, cell_forces);
-      }
-  forces.compress(VectorOperation::add);
-  return forces;
+  return assemble_forces<dim>(
+    discretization, [&](const auto &cell, const auto &indices) {
+      displacement.extract_subvector_to(
+        indices.begin(), indices.end(), cell_displacement.begin());
+      stiffness(cell).vmult(cell_forces, cell_displacement);
+      return &cell_forces;
+    });
 }
 
 
@@ -203,9 +221,19 @@ assemble_stiffness(const Discretization<dim> &discretization,
 template class ElementStiffness<2>;
 template class ElementStiffness<3>;
 template LA::Vector
+assemble_forces(const Discretization<2> &,
+                const std::function<const dealii::Vector<double> *(
+                  const Discretization<2>::Cell &,
+                  const std::vector<types::global_dof_index> &)> &);
+template LA::Vector
 internal_forces(const Discretization<2> &,
                 const ElementStiffness<2> &,
                 const LA::Vector &);
+template LA::Vector
+assemble_forces(const Discretization<3> &,
+                const std::function<const dealii::Vector<double> *(
+                  const Discretization<3>::Cell &,
+                  const std::vector<types::global_dof_index> &)> &);
 template LA::Vector
 internal_forces(const Discretization<3> &,
                 const ElementStiffness<3> &,

@@ -9,21 +9,11 @@ namespace Setsudan
 {
 using namespace dealii;
 
-namespace
-{
-const HyperelasticLaw *
-hyperelastic(const Material &material)
-{
-  return dynamic_cast<const HyperelasticLaw *>(&*material.law);
-}
-} // namespace
-
-
 template <int dim>
 SymmetricTensor<2, dim>
 strain_of(const Material &material, const Tensor<2, dim> &gradient)
 {
-  if (hyperelastic(material) == nullptr)
+  if (material.law->hyperelastic() == nullptr)
     return symmetrize(gradient);
   const Tensor<2, dim> F = gradient + unit_symmetric_tensor<dim>();
   SymmetricTensor<2, dim> strain;
@@ -70,7 +60,7 @@ stress_of(const Material &material,
           const Point<dim> &position,
           const LinearFunction<dim> &of_cell)
 {
-  if (const auto *const law = hyperelastic(material))
+  if (const auto *const law = material.law->hyperelastic())
     return cauchy_stress(*law,
                          in_space(gradient),
                          material.is_mixed ? of_cell(position)

@@ -19,15 +19,24 @@ CoarseMesh<dim>::is_curved() const
 
 
 template <int dim>
-EntityKey
-CoarseMesh<dim>::face_key(const CellFace &face) const
+std::array<unsigned int, GeometryInfo<dim>::vertices_per_face>
+CoarseMesh<dim>::face_vertices(const CellFace &face) const
 {
   std::array<unsigned int, GeometryInfo<dim>::vertices_per_face> of_face;
   for (unsigned int v = 0; v < of_face.size(); ++v)
     of_face[v] =
       cells[face.first]
         .vertices[GeometryInfo<dim>::face_to_cell_vertices(face.second, v)];
-  return make_entity_key(of_face);
+  return of_face;
+}
+
+
+
+template <int dim>
+EntityKey
+CoarseMesh<dim>::face_key(const CellFace &face) const
+{
+  return make_entity_key(face_vertices(face));
 }
 
 

@@ -130,7 +130,7 @@ CutContact<dim>::CutContact(CutBody<dim> &body,
   , compliance(StageCompliance<dim>::make(body, stage_forces(), last_stage))
 {
   if (body.board())
-    measured = measure(displacement);
+    measured = work_of(basis.vectors(), displacement);
 }
 
 
@@ -150,24 +150,6 @@ CutContact<dim>::stage_forces() const
     return vectors;
   };
   return forces;
-}
-
-
-
-template <int dim>
-std::vector<double>
-CutContact<dim>::measure(const LA::Vector &displacement) const
-{
-  std::vector<double> result;
-  for (const auto &vector : basis.vectors())
-    {
-      result.push_back(0);
-      for (const auto &[unknown, factor] : vector)
-        if (body.model().discretization.owned.is_element(unknown))
-          result.back() += factor * displacement(unknown);
-    }
-  Utilities::MPI::sum(result, body.communicator(), result);
-  return result;
 }
 
 

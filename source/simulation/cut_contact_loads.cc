@@ -198,8 +198,8 @@ void
 CutContact<dim>::check(const ContactPath<dim> &path,
                        const State<dim> &state) const
 {
-  const auto [missing, pull] =
-    path.violation(measure(state.displacement), state.load_factor);
+  const auto [missing, pull] = path.violation(
+    work_of(basis.vectors(), state.displacement), state.load_factor);
   const double largest = state.displacement.linfty_norm();
   const double allowed = 1e-10 * std::max(profile.keeps_apart, largest) +
                          10 * state.quality.estimated_relative_error * largest;

@@ -78,19 +78,13 @@ IterativeStageCompliance<dim>::IterativeStageCompliance(
   , n_changes(body.n_changes())
   , loads(body.model().loads)
 {
-  Assert(body.model().is_linear(), ExcNotImplemented());
+  Assert(body.model().is_linear(),
+         ExcMessage("Products are those of a linear body."));
   // Says whether all that is cut is held.
   body.constraints_after(last);
   const LA::Vector &lift = body.model().lift;
   loads -= internal_forces(body.model(), lift);
-  for (const auto &vector : forces.vectors)
-    {
-      in_lift.push_back(0);
-      for (const auto &[unknown, factor] : vector)
-        if (body.model().discretization.owned.is_element(unknown))
-          in_lift.back() += factor * lift(unknown);
-    }
-  Utilities::MPI::sum(in_lift, body.communicator(), in_lift);
+  in_lift = work_of(forces.vectors, lift);
 }
 
 

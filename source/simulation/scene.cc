@@ -212,17 +212,13 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
     !scene.accuracy.estimate, "Accuracy", "Estimate", "false" + where);
   parameters.require(
     !scene.output.calculix_decks, "Output", "CalculiX decks", "false" + where);
-  const auto &loads = scene.loads.surface_loads;
-  parameters.require(
-    !scene.yield.compares_energies() ||
-      std::none_of(loads.begin(),
-                   loads.end(),
-                   [](const auto &load) { return load.second.pressure != 0; }),
-    "Load",
-    "Pressures",
-    "nothing with Yield/Criterion = energy release" + where +
-      ", since a pressure that follows a surface with a free "
-      "rim has no energy; Load/Tractions has");
+  parameters.require(!scene.yield.compares_energies() ||
+                       !scene.loads.has_pressure(),
+                     "Load",
+                     "Pressures",
+                     "nothing with Yield/Criterion = energy release" + where +
+                       ", since a pressure that follows a surface with a free "
+                       "rim has no energy; Load/Tractions has");
   parameters.require(scene.solver.cut_solve !=
                        SolverParameters::CutSolve::condensed,
                      "Division",

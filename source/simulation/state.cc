@@ -72,13 +72,14 @@ set_solution(const ElasticModel<dim> &model,
   state.displacement = std::move(solution.displacement);
   state.internal     = std::move(solution.internal);
   state.quality      = solution.quality;
-  const InternalForces of_laws =
-    model.is_linear()
-      ? InternalForces{state.internal,
-                       stored_energy(model, state.displacement, state.internal)}
-      : evaluate_laws(model, state.displacement);
-  state.strain_energy    = of_laws.energy;
-  state.pressure_energy  = of_laws.potential_of_pressure;
+  if (model.is_linear())
+    state.strain_energy = state.displacement * state.internal / 2;
+  else
+    {
+      const InternalForces of_laws = evaluate_laws(model, state.displacement);
+      state.strain_energy          = of_laws.energy;
+      state.pressure_energy        = of_laws.potential_of_pressure;
+    }
   state.potential_energy = state.strain_energy + state.pressure_energy -
                            state.forces * state.displacement;
   if (state.board)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <setsudan/mesh/face_index.h>
-#include <setsudan/mesh/geometry.h>
+#include <setsudan/contact/face_hats.h>
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/travel_checks.h>
 
@@ -33,20 +32,6 @@ check_travel_on_board(const Parameters &parameters,
 
 
 
-/** Whether a face is turned to a blade at all. */
-template <int dim>
-bool
-looks_against(const CoarseMesh<dim> &mesh,
-              const CellFace &face,
-              const Tensor<1, dim> &direction)
-{
-  const auto area =
-    area_vector_of_face<dim>(mesh.node_positions(face.first), face.second);
-  return area * direction < -1e-6 * area.norm();
-}
-
-
-
 /** Refuse a blade whose edge would be inside the body at its entry. */
 template <int dim>
 void
@@ -57,30 +42,26 @@ check_entry(const Parameters &parameters,
   const auto &mesh = scene.body.mesh;
   const auto &cuts = scene.cut.cuts;
   const auto &edge = cuts[number].edge;
+  // Faces that are turned to the blade at all.
+  constexpr double least_cosine = 1e-6;
   // Vertices of the body where it is open to the blade, or cut already.
   std::set<unsigned int> open;
-  const auto corner = [&](const CellFace &face, const unsigned int v) {
-    return mesh.cells[face.first]
-      .vertices[GeometryInfo<dim>::face_to_cell_vertices(face.second, v)];
+  const auto add = [&](const CellFace &face) {
+    const auto vertices = mesh.face_vertices(face);
+    open.insert(vertices.begin(), vertices.end());
   };
-  constexpr unsigned int n_corners = GeometryInfo<dim>::vertices_per_face;
-  const FaceIndex<dim> index(mesh);
-  for (const auto &[key, face] : index.faces())
-    if (index.find(key).size() == 1 &&
-        looks_against(mesh, face, edge.direction))
-      for (unsigned int v = 0; v < n_corners; ++v)
-        open.insert(corner(face, v));
+  for (const auto &face :
+       outer_faces_against(mesh, edge.direction, least_cosine))
+    add(face);
   for (unsigned int earlier = 0; earlier < number; ++earlier)
     for (const auto &face : cuts[earlier].surface.faces)
-      for (unsigned int v = 0; v < n_corners; ++v)
-        open.insert(corner(face.minus, v));
+      add(face.minus);
   double entry = std::numeric_limits<double>::max(), entry_when_open = entry;
   for (const auto &face : cuts[number].surface.faces)
-    for (unsigned int v = 0; v < n_corners; ++v)
+    for (const unsigned int vertex : mesh.face_vertices(face.minus))
       {
-        const unsigned int vertex = corner(face.minus, v);
-        const double travel       = edge.travel(mesh.vertices[vertex]);
-        entry                     = std::min(entry, travel);
+        const double travel = edge.travel(mesh.vertices[vertex]);
+        entry               = std::min(entry, travel);
         if (open.count(vertex) > 0)
           entry_when_open = std::min(entry_when_open, travel);
       }

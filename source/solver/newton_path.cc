@@ -28,7 +28,6 @@ NewtonPath<dim>::NewtonPath(const ElasticModel<dim> &model,
   , constraints(constraints)
   , parameters(parameters)
   , forces(forces)
-  , start(start)
   , lacking_forces(forces)
   , lacking_displacement(lift)
   , solver(model,
@@ -36,9 +35,10 @@ NewtonPath<dim>::NewtonPath(const ElasticModel<dim> &model,
            parameters,
            choose_assembled(parameters, size_of(model.discretization)))
 {
-  const LA::Vector internal = internal_forces(model, start);
-  lacking_forces -= internal;
-  size_of_forces = internal.l2_norm();
+  first.displacement = start;
+  first.internal     = evaluate_laws(model, start);
+  lacking_forces -= first.internal.forces;
+  size_of_forces = first.internal.forces.l2_norm();
   // What is prescribed, and from there on what the constraints allow.
   LA::Vector free_part = start;
   free_part -= lift;
@@ -46,15 +46,6 @@ NewtonPath<dim>::NewtonPath(const ElasticModel<dim> &model,
   distribute(constraints, free_part);
   lacking_displacement += free_part;
   lacking_displacement -= start;
-}
-
-
-
-template <int dim>
-NewtonIterate
-NewtonPath<dim>::beginning() const
-{
-  return evaluate(start, 0);
 }
 
 

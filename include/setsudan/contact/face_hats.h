@@ -48,12 +48,15 @@ template <int dim>
 std::vector<FaceHat<dim>>
 face_hats(const ElasticModel<dim> &model, const std::vector<CellFace> &faces);
 
-/** The outer faces of a mesh that look against a direction: of which the
- * outward normal is at less than about 80 degrees to the opposite one. */
+/** The outer faces of a mesh that look against a direction.
+ *
+ * @param least_cosine of the angle between their outward normal and the
+ *   opposite direction. */
 template <int dim>
 std::vector<CellFace>
 outer_faces_against(const CoarseMesh<dim> &mesh,
-                    const dealii::Tensor<1, dim> &direction);
+                    const dealii::Tensor<1, dim> &direction,
+                    const double least_cosine = 0.2);
 
 /** All unknowns of the nodes of hats.
  *

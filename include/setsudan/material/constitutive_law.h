@@ -11,6 +11,8 @@
 
 namespace Setsudan
 {
+class HyperelasticLaw;
+
 /** What a law answers to a displacement gradient. */
 struct MaterialResponse
 {
@@ -41,6 +43,13 @@ public:
    * such laws only is linear, and is left to the fast kernels. */
   virtual const Hooke *
   linear() const
+  {
+    return nullptr;
+  }
+
+  /** This, if it is a law of finite strain that has an energy; or null. */
+  virtual const HyperelasticLaw *
+  hyperelastic() const
   {
     return nullptr;
   }

@@ -31,6 +31,12 @@ public:
   virtual StrainEnergy
   at(const dealii::SymmetricTensor<2, 3> &C) const = 0;
 
+  const HyperelasticLaw *
+  hyperelastic() const override
+  {
+    return this;
+  }
+
   /** This, if it is a sum of energies of distortion and of volume; or null. */
   virtual const DecoupledLaw *
   decoupled() const

@@ -3,7 +3,6 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <setsudan/material/decoupled_law.h>
 #include <setsudan/material/material_parameters.h>
 #include <setsudan/mechanics/linear_fit.h>
 #include <setsudan/space/discretization.h>

@@ -81,7 +81,8 @@ struct InternalForces
   double potential_of_pressure = 0;
 };
 
-/** Evaluate the laws in a state.
+/** Evaluate the laws in a state, of whatever kind they are: of a linear body
+ * internal_forces() is faster.
  *
  * @param displacement without ghosts. */
 template <int dim>
@@ -130,13 +131,4 @@ tangent_times(const ElasticModel<dim> &model,
 template <int dim>
 LA::Vector
 follower_forces(const ElasticModel<dim> &model, const LA::Vector &displacement);
-
-/** The energy that a displacement stores.
- *
- * @param internal its internal forces. */
-template <int dim>
-double
-stored_energy(const ElasticModel<dim> &model,
-              const LA::Vector &displacement,
-              const LA::Vector &internal);
 } // namespace Setsudan

@@ -22,10 +22,6 @@ public:
   FollowerPressure(const Discretization<dim> &discretization,
                    const LoadParameters<dim> &loads);
 
-  /** Whether no face has a pressure. */
-  bool
-  empty() const;
-
   /** Integrate over the faces of a cell.
    *
    * @param displacement with ghosts.
@@ -52,6 +48,7 @@ private:
 
   const Discretization<dim> &discretization;
   const LoadParameters<dim> &loads;
+  /** Whether any face has a pressure. */
   const bool any;
   dealii::FEFaceValues<dim> face_values;
 };

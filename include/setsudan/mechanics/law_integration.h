@@ -6,7 +6,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <optional>
 #include <vector>
 
 namespace Setsudan

@@ -47,6 +47,10 @@ struct LoadParameters
   /** Whether the scene has no such load. */
   bool
   empty() const;
+
+  /** Whether it has a pressure. */
+  bool
+  has_pressure() const;
 };
 
 /**

@@ -59,6 +59,21 @@ private:
 };
 
 /**
+ * The nodal forces of all cells, with no constraint applied.
+ *
+ * @param forces_of_cell those of a cell, given with its unknowns and in their
+ *   order; null where it has none.
+ * @return a vector without ghosts.
+ */
+template <int dim>
+LA::Vector
+assemble_forces(
+  const Discretization<dim> &discretization,
+  const std::function<const dealii::Vector<double> *(
+    const typename Discretization<dim>::Cell &,
+    const std::vector<dealii::types::global_dof_index> &)> &forces_of_cell);
+
+/**
  * The nodal forces K u by which the elements resist a displacement, with no
  * constraint applied.
  *

@@ -48,6 +48,9 @@ struct CoarseMesh
   bool
   is_curved() const;
 
+  std::array<unsigned int, dealii::GeometryInfo<dim>::vertices_per_face>
+  face_vertices(const CellFace &face) const;
+
   EntityKey
   face_key(const CellFace &face) const;
 

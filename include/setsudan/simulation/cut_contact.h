@@ -104,10 +104,6 @@ private:
                  const unsigned int row,
                  const double load_factor) const;
 
-  /** What the vectors measure in a displacement. */
-  std::vector<double>
-  measure(const LA::Vector &displacement) const;
-
   /** @throw InvariantError where walls are in each other's way, or stick to the
    * blade. */
   void

@@ -43,8 +43,9 @@ public:
   /** While the first rows are split: of all forces, and in the last row and
    * column of the loads, whose displacement is counted from the lift on. The
    * same on all processes, until the next call; only the lower triangle is set.
-   * Of two forces of which neither
-   * is of the stage there is nothing to be known. */
+   * Of two forces of which neither is of the stage there is nothing to be
+   * known.
+   */
   virtual const dealii::LAPACKFullMatrix<double> &
   products(const unsigned int n_split) = 0;
 

@@ -57,7 +57,7 @@ public:
              const LA::Vector &lift,
              const LA::Vector &start);
 
-  /** The size of the forces there: what is left of them counts beside it. */
+  /** The size of the internal forces there: what is left counts beside it. */
   double
   size_of_first_forces() const
   {
@@ -65,8 +65,11 @@ public:
   }
 
   /** The state from which the way begins. */
-  NewtonIterate
-  beginning() const;
+  const NewtonIterate &
+  beginning() const
+  {
+    return first;
+  }
 
   /**
    * Go on from one part of the way to another; nothing where that fails, as
@@ -119,7 +122,7 @@ private:
   const Constraints &constraints;
   const SolverParameters &parameters;
   const LA::Vector &forces;
-  const LA::Vector &start;
+  NewtonIterate first;
   /** The residual at the start, and what is prescribed and lacking there. */
   LA::Vector lacking_forces;
   LA::Vector lacking_displacement;

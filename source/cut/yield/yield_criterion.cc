@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace Setsudan
 {
@@ -171,8 +172,22 @@ private:
     return {energy / area, required / area};
   }
 
-  /** The energy that a body which is not linear sets free: its equilibrium is
-   * found without the row's ties, with the blade's load on the next row. */
+  /** The equilibrium without a row's ties, with the blade's load on the next
+   * row, and the forces under which it is. */
+  static std::pair<Solution, LA::Vector>
+  solve_released(TangentSolver &solver,
+                 const BladeAdvance &advance,
+                 const LinearResponse &tied,
+                 SolveQuality &quality)
+  {
+    LA::Vector forces = tied.forces;
+    forces.add(tied.blade_factor, advance.change);
+    Solution released = solver.solve(forces, tied.lift, tied.displacement);
+    quality           = combine(quality, released.quality);
+    return {std::move(released), std::move(forces)};
+  }
+
+  /** The energy that a body which is not linear sets free. */
   static double
   exact_release(const ElasticModel<dim> &model,
                 TangentSolver &solver,
@@ -180,11 +195,8 @@ private:
                 const LinearResponse &tied,
                 SolveQuality &quality)
   {
-    LA::Vector forces = tied.forces;
-    forces.add(tied.blade_factor, advance.change);
-    const Solution released =
-      solver.solve(forces, tied.lift, tied.displacement);
-    quality              = combine(quality, released.quality);
+    const auto [released, forces] =
+      solve_released(solver, advance, tied, quality);
     const auto potential = [&](const LA::Vector &displacement,
                                const LA::Vector &under) {
       const InternalForces of_laws = evaluate_laws(model, displacement);
@@ -232,13 +244,10 @@ private:
           const LinearResponse &tied,
           SolveQuality &quality)
   {
-    LA::Vector forces = tied.forces;
-    forces.add(tied.blade_factor, advance.change);
-    Solution released = solver.solve(forces, tied.lift, tied.displacement);
-    quality           = combine(quality, released.quality);
-    released.displacement -= tied.displacement;
-    return {released.displacement,
-            internal_forces(model, released.displacement)};
+    LA::Vector change =
+      solve_released(solver, advance, tied, quality).first.displacement;
+    change -= tied.displacement;
+    return {change, internal_forces(model, change)};
   }
 
   const double sharpness;

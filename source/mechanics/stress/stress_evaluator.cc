@@ -62,8 +62,9 @@ StressEvaluator<dim>::reinit(const Cell &cell, const LA::Vector &displacement)
     for (unsigned int c = 0; c < dim; ++c)
       displacements[i][c] = displacement(indices[i][c]);
   material = &materials.of_element(discretization.element(cell));
-  if (material->is_mixed)
-    dilatation_of_cell = (*dilatation)(cell, *material, displacement);
+  present  = cell;
+  field    = &displacement;
+  projected.reset();
 }
 
 
@@ -135,7 +136,12 @@ template <int dim>
 SymmetricTensor<2, 3>
 StressEvaluator<dim>::stress(const unsigned int p) const
 {
-  return stress_of(*material, gradient(p), point(p), dilatation_of_cell);
+  if (material->is_mixed && !projected)
+    projected = (*dilatation)(present, *material, *field);
+  return stress_of(*material,
+                   gradient(p),
+                   point(p),
+                   projected.value_or(LinearFunction<dim>()));
 }
 
 

@@ -14,16 +14,8 @@ CondensedSolver<dim>::foundation_forces(const LA::Vector &displacement) const
   LA::Vector forces = model.discretization.zero_vector();
   if (foundation.empty())
     return forces;
-  const auto &owned = model.discretization.owned;
-  std::vector<double> lengths;
-  for (const auto &vector : foundation)
-    {
-      lengths.push_back(0);
-      for (const auto &[unknown, factor] : vector)
-        if (owned.is_element(unknown))
-          lengths.back() += factor * displacement(unknown);
-    }
-  Utilities::MPI::sum(lengths, communicator, lengths);
+  const auto &owned  = model.discretization.owned;
+  const auto lengths = work_of(foundation, displacement);
   for (unsigned int i = 0; i < foundation.size(); ++i)
     for (const auto &[unknown, factor] : foundation[i])
       if (owned.is_element(unknown))

@@ -7,6 +7,7 @@
 #include <setsudan/mechanics/dilatation.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
@@ -42,7 +43,8 @@ public:
 
   /** Go to a cell.
    *
-   * @param displacement with ghosts. */
+   * @param displacement with ghosts; must live as long as stresses are asked
+   *   for. */
   void
   reinit(const Cell &cell, const LA::Vector &displacement);
 
@@ -95,6 +97,9 @@ private:
   std::vector<dealii::Point<dim>> positions;
   std::vector<dealii::Tensor<1, dim>> displacements;
   const Material *material = nullptr;
-  LinearFunction<dim> dilatation_of_cell;
+  Cell present;
+  const LA::Vector *field = nullptr;
+  /** What Dilatation says of the cell, once a stress has been asked for. */
+  mutable std::optional<LinearFunction<dim>> projected;
 };
 } // namespace Setsudan

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/base/types.h>
+#include <setsudan/space/linear_algebra.h>
 
 #include <utility>
 #include <vector>
@@ -11,4 +11,10 @@ namespace Setsudan
 /** Forces on a few unknowns: each unknown and its force. */
 using UnknownForces =
   std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+/** The work of each of some forces, which are the same on all processes, in a
+ * displacement without ghosts; called by all of them. */
+std::vector<double>
+work_of(const std::vector<UnknownForces> &forces,
+        const LA::Vector &displacement);
 } // namespace Setsudan

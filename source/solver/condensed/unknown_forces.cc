@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
+#include <setsudan/solver/condensed/unknown_forces.h>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+std::vector<double>
+work_of(const std::vector<UnknownForces> &forces,
+        const LA::Vector &displacement)
+{
+  std::vector<double> work(forces.size(), 0.);
+  for (unsigned int i = 0; i < forces.size(); ++i)
+    for (const auto &[unknown, force] : forces[i])
+      if (displacement.in_local_range(unknown))
+        work[i] += force * displacement(unknown);
+  Utilities::MPI::sum(work, displacement.get_mpi_communicator(), work);
+  return work;
+}
+} // namespace Setsudan
