@@ -104,6 +104,28 @@ declare_sliding(ParameterHandler &handler)
     "The friction with which the edge drags the front along as it "
     "slices; empty: it drags it all the way [-].");
 }
+
+
+
+void
+declare_advance(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Advance",
+                    "0",
+                    Patterns::Double(),
+                    "The longest step of Drive = travel in a body that is not "
+                    "linear, which needs steps; 0: half of the shallowest row "
+                    "[length].");
+  Setsudan::declare(handler,
+                    "Blade",
+                    "Advance tolerance",
+                    "1e-4",
+                    Patterns::Double(),
+                    "By how much of what is required a split may exceed that "
+                    "then, from 1e-10 to 0.1 [-].");
+}
 } // namespace
 
 
@@ -154,6 +176,7 @@ BladeParameters<dim>::declare(ParameterHandler &handler)
     "along Direction, and the force is the reaction.");
   declare_body(handler);
   declare_sliding(handler);
+  declare_advance(handler);
   BladePath::declare(handler);
   Setsudan::declare(handler,
                     "Blade",
@@ -242,10 +265,18 @@ BladeParameters<dim>::BladeParameters(const Parameters &parameters)
   , thickness(parameters.number("Blade", "Thickness"))
   , travels(parameters.text("Blade", "Drive") == "travel")
   , path(parameters, travels)
+  , advance(parameters.number("Blade", "Advance"))
+  , advance_tolerance(parameters.number("Blade", "Advance tolerance"))
 {
   read_sliding(parameters);
   read_shape(parameters);
   read_edge_points(parameters);
+  parameters.require(
+    advance >= 0, "Blade", "Advance", "a number that is not negative");
+  parameters.require(advance_tolerance >= 1e-10 && advance_tolerance <= 0.1,
+                     "Blade",
+                     "Advance tolerance",
+                     "a number from 1e-10 to 0.1");
   parameters.require(sharpness >= 0 && sharpness <= 1,
                      "Blade",
                      "Sharpness",

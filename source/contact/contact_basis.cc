@@ -160,6 +160,11 @@ ContactBasis<dim>::make_edge_vectors(const Seam<dim> &seam,
       for (unsigned int c = 0; c < dim; ++c)
         vector.emplace_back(pair.minus[c], way[c]);
       all_vectors.push_back(vector);
+      if (!edge_holds())
+        continue;
+      for (unsigned int c = 0; c < dim; ++c)
+        vector[c].second = pair.normal[c];
+      all_vectors.push_back(vector);
     }
 }
 
@@ -319,7 +324,7 @@ template <int dim>
 unsigned int
 ContactBasis<dim>::vector_of_edge_node(const unsigned int node) const
 {
-  return first_vector_of_hat(all_hats.size()) + node;
+  return first_vector_of_hat(all_hats.size()) + (edge_holds() ? 2 : 1) * node;
 }
 
 
@@ -350,7 +355,10 @@ ContactBasis<dim>::vectors_of_stage(const unsigned int n_split,
         vectors.push_back(v);
   for (unsigned int n = 0; n < all_edge_nodes.size(); ++n)
     if (all_edge_nodes[n].row == n_split)
-      vectors.push_back(vector_of_edge_node(n));
+      for (unsigned int v = vector_of_edge_node(n);
+           v < vector_of_edge_node(n + 1);
+           ++v)
+        vectors.push_back(v);
   for (unsigned int v = first_vector_of_earlier_corners();
        v < all_vectors.size();
        ++v)

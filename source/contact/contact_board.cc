@@ -121,7 +121,7 @@ template <int dim>
 std::vector<unsigned int>
 ContactPath<dim>::make_leaders() const
 {
-  if (basis.n_board_corners() == 0 && !has_turned)
+  if (basis.n_board_corners() == 0 && !has_turned && !basis.edge_holds())
     return {};
   std::vector<unsigned int> leaders;
   unsigned int last_board = 0;
@@ -129,10 +129,13 @@ ContactPath<dim>::make_leaders() const
     {
       if (conditions[i].kind == Kind::board)
         last_board = i;
-      // A wall sticks while its flank, the condition before, touches.
-      leaders.push_back(conditions[i].kind == Kind::grip    ? last_board
-                        : conditions[i].kind == Kind::stick ? i - 1
-                                                            : i);
+      // A wall sticks while its flank, the condition before, touches; and so
+      // does the edge hold.
+      leaders.push_back(conditions[i].kind == Kind::grip ? last_board
+                        : conditions[i].kind == Kind::stick ||
+                            conditions[i].kind == Kind::hold
+                          ? i - 1
+                          : i);
     }
   return leaders;
 }

@@ -159,6 +159,36 @@ ContactPath<dim>::edge_condition(const unsigned int node) const
 
 
 template <int dim>
+typename ContactPath<dim>::Condition
+ContactPath<dim>::hold_condition(const unsigned int node) const
+{
+  const unsigned int place =
+    stage->place_of[basis.vector_of_edge_node(node) + 1];
+  Condition condition;
+  condition.kind     = Kind::hold;
+  condition.place    = node;
+  condition.measured = {{{place, 1.}, {place, 0.}, {place, 0.}}};
+  condition.exerted  = condition.measured;
+  return condition;
+}
+
+
+
+template <int dim>
+bool
+ContactPath<dim>::update_holds()
+{
+  bool any = false;
+  for (unsigned int i = 1; i < conditions.size(); ++i)
+    if (conditions[i].kind == Kind::hold && piece.active[i - 1] &&
+        !piece.active[i])
+      any = piece.active[i] = true;
+  return any;
+}
+
+
+
+template <int dim>
 void
 ContactPath<dim>::make_conditions()
 {
@@ -182,7 +212,7 @@ ContactPath<dim>::make_conditions()
       // are supported.
       const unsigned int first = stage->place_of[basis.first_vector_of_hat(h)];
       if (may_meet(h) &&
-          (basis.has_flanks() || stage->products(first, first) > 0))
+          (basis.has_flanks() || stage->products(first, first) != 0))
         conditions.push_back(walls_condition(h));
     }
   for (unsigned int n = 0; n < basis.edge_nodes().size(); ++n)
@@ -191,14 +221,17 @@ ContactPath<dim>::make_conditions()
         const unsigned int place =
           stage->place_of[basis.vector_of_edge_node(n)];
         // Nothing moves a node that is supported.
-        if (stage->products(place, place) > 0)
-          conditions.push_back(edge_condition(n));
+        if (stage->products(place, place) == 0)
+          continue;
+        conditions.push_back(edge_condition(n));
+        if (basis.edge_holds() && stage->products(place + 1, place + 1) != 0)
+          conditions.push_back(hold_condition(n));
       }
   for (unsigned int i = 0; i < basis.n_earlier_corners(); ++i)
     {
       const unsigned int place =
         stage->place_of[basis.first_vector_of_earlier_corners() + i];
-      if (stage->products(place, place) > 0)
+      if (stage->products(place, place) != 0)
         conditions.push_back(earlier_walls_condition(i));
     }
   add_board_conditions();
@@ -310,6 +343,7 @@ ContactPath<dim>::remake_conditions()
     const Condition &) const;                                              \
   template typename ContactPath<dim>::Condition                            \
   ContactPath<dim>::flank_condition(const unsigned int, const Wall) const; \
+  template bool ContactPath<dim>::update_holds();                          \
   template void ContactPath<dim>::make_conditions();                       \
   template void ContactPath<dim>::remake_conditions();
 

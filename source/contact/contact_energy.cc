@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/contact/contact_path.h>
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <algorithm>
 
 namespace Setsudan
@@ -295,6 +297,69 @@ ContactPath<dim>::violation(const std::vector<double> &measured,
 
 
 
+template <int dim>
+unsigned int
+ContactPath<dim>::n_unstable() const
+{
+  std::vector<unsigned int> active;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    if (piece.active[i])
+      active.push_back(i);
+  LAPACKFullMatrix<double> block(active.size());
+  double largest = 0;
+  for (unsigned int i = 0; i < active.size(); ++i)
+    for (unsigned int j = 0; j < active.size(); ++j)
+      for (const auto &[a, measured] : conditions[active[i]].measured)
+        for (const auto &[b, exerted] : conditions[active[j]].exerted)
+          {
+            const double product =
+              measured * exerted * stage->products(a, b) / 2;
+            block(i, j) += product;
+            block(j, i) += product;
+            largest = std::max(largest, std::abs(block(i, j)));
+          }
+  if (active.empty())
+    return 0;
+  // Some conditions may follow from others.
+  constexpr double round_off = 1e-10;
+  Vector<double> eigenvalues;
+  FullMatrix<double> eigenvectors;
+  block.compute_eigenvalues_symmetric(-2 * largest * active.size(),
+                                      -round_off * largest,
+                                      0.,
+                                      eigenvalues,
+                                      eigenvectors);
+  return eigenvalues.size();
+}
+
+
+
+template <int dim>
+double
+ContactPath<dim>::work_to_fulfil(const std::vector<double> &measured,
+                                 const double travel) const
+{
+  double work = 0;
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    {
+      const Condition &condition = conditions[i];
+      const double multiplier    = piece.multipliers(i, travel);
+      const bool has_sign        = condition.kind != Kind::hold;
+      if (!piece.active[i] || (has_sign && multiplier <= 0))
+        continue;
+      double missing = condition.constant + condition.per_travel * travel;
+      for (const auto &[place, factor] : condition.measured)
+        missing -= factor * measured[stage->vector_at[place]];
+      if (!sliding.is_guided && condition.is_of_flank())
+        missing -= condition.across * shift(travel);
+      work += has_sign ? multiplier * std::max(missing, 0.)
+                       : std::abs(multiplier * missing);
+    }
+  return work;
+}
+
+
+
 #define INSTANTIATE(dim)                                                      \
   template Quadratic ContactPath<dim>::energy() const;                        \
   template ContactResultants ContactPath<dim>::resultants() const;            \
@@ -308,6 +373,9 @@ ContactPath<dim>::violation(const std::vector<double> &measured,
   template std::vector<double> ContactPath<dim>::forces(const double) const;  \
   template std::vector<double> ContactPath<dim>::foundation_forces(           \
     const double) const;                                                      \
+  template unsigned int ContactPath<dim>::n_unstable() const;                 \
+  template double ContactPath<dim>::work_to_fulfil(                           \
+    const std::vector<double> &, const double) const;                         \
   template std::array<double, 2> ContactPath<dim>::violation(                 \
     const std::vector<double> &, const double) const;
 

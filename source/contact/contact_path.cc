@@ -71,12 +71,12 @@ ContactPath<dim>::settle(const double travel)
         update_facets(travel, 1e-2 * smallest_step, round < most_back);
       on_facets       = flanks.empty();
       const bool slip = on_facets && update_slips(travel, round > most_at_once);
-      const bool grip = update_grips(travel);
-      if (on_facets && !slip && !grip)
+      const bool grip = update_grips(travel), hold = update_holds();
+      if (on_facets && !slip && !grip && !hold)
         return;
       if (slip || grip)
         remake_conditions();
-      else
+      else if (!flanks.empty())
         take_facets(flanks);
     }
   if (on_facets)

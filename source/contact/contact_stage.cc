@@ -60,7 +60,7 @@ ContactStage<dim>::can_move(const unsigned int h) const
   for (unsigned int v = basis.first_vector_of_hat(h);
        v < basis.first_vector_of_hat(h + 1);
        ++v)
-    if (products(place_of[v], place_of[v]) > 0)
+    if (products(place_of[v], place_of[v]) != 0)
       return true;
   return false;
 }

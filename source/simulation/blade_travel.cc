@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/blade_travel.h>
+#include <setsudan/simulation/travel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace Setsudan
 {
@@ -37,34 +37,6 @@ move_to(const double travel,
   if (speed > 0)
     motion.time += std::abs(travel - motion.travel) / speed;
   motion.travel = travel;
-}
-
-
-
-/** @throw InvariantError where the blade's work is not the sum of what it has
- * become. */
-template <int dim>
-void
-check_energy(const CutBody<dim> &body, const State<dim> &state)
-{
-  constexpr double tolerance = 1e-6;
-  const BladeMotion &motion  = *state.motion;
-  const double stored = energy_under_loads(state) - motion.energy_at_rest;
-  const double lost   = motion.work - stored - motion.surface_energy -
-                      motion.friction_energy - motion.excess_energy;
-  // The loads of a piece that has been dropped are gone.
-  if (!body.floating_pieces().empty() ||
-      std::abs(lost) <=
-        tolerance * (std::abs(motion.work) + std::abs(motion.energy_at_rest)))
-    return;
-  std::ostringstream message;
-  message << "The energy of the blade does not close: of its work of "
-          << motion.work << " the body stores " << stored
-          << ", new surface takes " << motion.surface_energy << ", friction "
-          << motion.friction_energy << " and unstable releases "
-          << motion.excess_energy << ", and " << lost
-          << " is missing. The solution is not to be trusted.";
-  throw InvariantError(message.str());
 }
 } // namespace
 
@@ -118,18 +90,12 @@ BladeTravel<dim>::solve(CutBody<dim> &body,
                         const BladeMotion &motion,
                         const State<dim> &from)
 {
+  constexpr double tolerance = 1e-6;
   State<dim> state =
     cut_contact->state(*path, row, motion.travel, from.displacement);
-  state.motion                 = motion;
-  const auto forces            = path->resultants();
-  state.motion->edge_force     = forces.edge(motion.travel);
-  state.motion->flank_force    = forces.flanks(motion.travel);
-  state.motion->friction_force = forces.friction(motion.travel);
-  state.motion->force_along    = forces.aside(motion.travel);
-  state.motion->contact_area   = path->contact_area();
-  state.motion->shift          = path->shift(motion.travel);
-  state.motion->contacts       = path->contacts();
-  check_energy(body, state);
+  state.motion = motion;
+  set_contact(*path, *state.motion);
+  check_energy_of_blade(body, state, tolerance);
   return state;
 }
 
@@ -147,7 +113,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   CutContact<dim> &of_cut = this->contact(body, from);
   if (!path)
     path = of_cut.path(row, search->n_looked_ahead(body, row), motion, nullptr);
-  const double goal = goal_of(body, motion);
+  const double goal = goal_of_travel(body, motion);
   if (goal != motion.travel)
     motion.excess_energy +=
       path->head(goal > motion.travel ? 1 : -1, motion.travel);
@@ -156,7 +122,7 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   const auto split       = follow(motion, goal);
   motion.n_rows_to_split = split ? split->n_rows : 0;
   if (!split && motion.n_stops < this->scene.blade.path.stops.size())
-    reach_stop(motion);
+    reach_stop(this->scene.blade.path, motion);
   State<dim> state = solve(body, row, motion, from);
   state.yields     = split.has_value();
   if (split)
@@ -194,33 +160,6 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
 
 
 template <int dim>
-double
-BladeTravel<dim>::goal_of(const CutBody<dim> &body,
-                          const BladeMotion &motion) const
-{
-  const auto &stops = this->scene.blade.path.stops;
-  return motion.n_stops < stops.size()
-           ? stops[motion.n_stops].position
-           : last_travel_on_board(
-               this->scene.board, this->scene.body.mesh, body.cut());
-}
-
-
-
-template <int dim>
-void
-BladeTravel<dim>::reach_stop(BladeMotion &motion) const
-{
-  const BladePath &way = this->scene.blade.path;
-  // Where it rests time passes, too.
-  if (way.begin_of(motion.n_stops) == motion.travel)
-    motion.time += way.stops[motion.n_stops].duration;
-  ++motion.n_stops;
-}
-
-
-
-template <int dim>
 bool
 BladeTravel<dim>::moves_on(const State<dim> &state) const
 {
@@ -237,12 +176,7 @@ BladeTravel<dim>::finish(CutBody<dim> &body, const State<dim> &from)
   path                    = of_cut.path_without_blade(*from.motion, path.get());
   State<dim> state        = of_cut.state(
     *path, body.seam().rows().size(), from.motion->travel, from.displacement);
-  state.blade.row.reset();
-  state.motion = from.motion;
-  state.motion->work += energy_under_loads(state) - energy_under_loads(from);
-  state.motion->edge_force       = state.motion->flank_force =
-    state.motion->friction_force = state.motion->force_along =
-      state.motion->contact_area = 0;
+  give_back(from, state);
   path.reset();
   cut_contact.reset();
   return state;

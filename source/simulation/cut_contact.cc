@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/cut_contact.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Setsudan
 {
@@ -9,35 +11,6 @@ using namespace dealii;
 
 namespace
 {
-/** The depth of the shallowest row but the first. */
-template <int dim>
-double
-shortest_row(const CutBody<dim> &body)
-{
-  double shortest = body.mesh().extent();
-  if (!body.has_cut())
-    return shortest;
-  const auto &rows = body.seam().rows();
-  for (unsigned int row = 1; row < rows.size(); ++row)
-    shortest = std::min(shortest, rows[row].depth - rows[row - 1].depth);
-  return shortest;
-}
-
-
-
-/** A parameter of a path that is small: of the travel, beside a row; of the
- * load factor, beside the scene's loads. */
-template <int dim>
-double
-small_step(const CutBody<dim> &body)
-{
-  return 1e-9 * (body.scene().blade.travels
-                   ? shortest_row(body)
-                   : std::max(1., body.scene().division.max_load_factor));
-}
-
-
-
 /** How many rows may be split with contact. Under forces the blade is gone
  * behind the last one, and so may pieces be, unless an energy asks for them. */
 template <int dim>
@@ -81,56 +54,13 @@ forces_on_edge(const CutBody<dim> &body, const unsigned int n_split)
 
 
 template <int dim>
-unsigned int
-CutContact<dim>::n_rows(const CutBody<dim> &body)
-{
-  return body.has_cut() ? body.seam().rows().size() : 0;
-}
-
-
-
-template <int dim>
-bool
-CutContact<dim>::has_forces() const
-{
-  return body.has_cut() && !body.scene().blade.travels;
-}
-
-
-
-template <int dim>
-ContactBasis<dim>
-CutContact<dim>::make_basis(CutBody<dim> &body, const BladeProfile &profile)
-{
-  if (!body.has_cut())
-    return {body.communicator(), *body.board()};
-  return {body.model(),
-          body.surface(),
-          body.seam(),
-          body.cut().edge,
-          {body.scene().blade.sliding,
-           !profile.facets.empty(),
-           body.scene().blade.travels},
-          body.earlier_cuts(),
-          body.board(),
-          body.entry_hats()};
-}
-
-
-
-template <int dim>
 CutContact<dim>::CutContact(CutBody<dim> &body,
                             const BladeProfile &profile,
                             const LA::Vector &displacement)
-  : body(body)
-  , profile(profile)
-  , basis(make_basis(body, profile))
+  : ContactBase<dim>(body, profile, displacement)
   , last_stage(find_last_stage(body))
-  , step(small_step(body))
   , compliance(StageCompliance<dim>::make(body, stage_forces(), last_stage))
 {
-  if (body.board())
-    measured = work_of(basis.vectors(), displacement);
 }
 
 
@@ -140,12 +70,12 @@ StageForces
 CutContact<dim>::stage_forces() const
 {
   StageForces forces{basis.vectors(), {}};
-  if (has_forces())
+  if (this->has_forces())
     for (unsigned int n = 0; n <= last_stage; ++n)
       forces.vectors.push_back(forces_on_edge(body, n));
   forces.of_stage = [this](const unsigned int n_split) {
     auto vectors = basis.vectors_of_stage(n_split, 0);
-    if (has_forces())
+    if (this->has_forces())
       vectors.push_back(basis.vectors().size() + n_split);
     return vectors;
   };
@@ -161,7 +91,14 @@ CutContact<dim>::path(const unsigned int n_split,
                       const BladeMotion &motion,
                       const ContactPath<dim> *neighbour)
 {
-  return path(profile, n_split, n_ahead, motion, neighbour);
+  const auto &products = compliance->products(n_split);
+  return this->make_path(profile,
+                         n_split,
+                         n_ahead,
+                         products,
+                         untouched(products, n_split),
+                         motion,
+                         neighbour);
 }
 
 
@@ -171,28 +108,15 @@ std::unique_ptr<ContactPath<dim>>
 CutContact<dim>::path_without_blade(const BladeMotion &motion,
                                     const ContactPath<dim> *neighbour)
 {
-  return path(no_profile, n_rows(body), 0, motion, neighbour);
-}
-
-
-
-template <int dim>
-std::unique_ptr<ContactPath<dim>>
-CutContact<dim>::path(const BladeProfile &of_blade,
-                      const unsigned int n_split,
-                      const unsigned int n_ahead,
-                      const BladeMotion &motion,
-                      const ContactPath<dim> *neighbour)
-{
-  const auto &products = compliance->products(n_split);
-  auto path            = std::make_unique<ContactPath<dim>>(
-    std::make_unique<ContactStage<dim>>(
-      basis, n_split, n_ahead, products, untouched(products, n_split)),
-    of_blade,
-    body.scene().blade.sliding,
-    step);
-  path->begin(motion, neighbour, measured);
-  return path;
+  const unsigned int n_split = this->n_rows();
+  const auto &products       = compliance->products(n_split);
+  return this->make_path(this->no_profile,
+                         n_split,
+                         0,
+                         products,
+                         untouched(products, n_split),
+                         motion,
+                         neighbour);
 }
 
 
@@ -208,7 +132,7 @@ CutContact<dim>::untouched(const LAPACKFullMatrix<double> &products,
   result.energy.c[0]  = -products(loads, loads) / 2;
   for (unsigned int v = 0; v < n; ++v)
     result.displacements.constant[v] = products(loads, v) + in_lift[v];
-  if (!has_forces())
+  if (!this->has_forces())
     return result;
   const unsigned int edge = n + n_split;
   for (unsigned int v = 0; v < n; ++v)
@@ -216,6 +140,74 @@ CutContact<dim>::untouched(const LAPACKFullMatrix<double> &products,
   result.energy.c[1] = -products(loads, edge) - in_lift[edge];
   result.energy.c[2] = -products(edge, edge) / 2;
   return result;
+}
+
+
+
+template <int dim>
+State<dim>
+CutContact<dim>::state(const ContactPath<dim> &path,
+                       const unsigned int row,
+                       const double travel,
+                       const LA::Vector &guess) const
+{
+  if (!this->has_forces())
+    {
+      State<dim> state = solve_state(body,
+                                     this->blade_load(path, row, travel),
+                                     1,
+                                     guess,
+                                     this->board_load(path, travel));
+      if (state.board)
+        state.board->passed = depth_beyond_board(
+          body.model(), body.scene().board, state.displacement);
+      return state;
+    }
+  const State<dim> state =
+    solve_state(body, pressing_blade(path, row, travel), travel, guess);
+  check(path, state);
+  return state;
+}
+
+
+
+template <int dim>
+BladeLoad<dim>
+CutContact<dim>::pressing_blade(const ContactPath<dim> &path,
+                                const unsigned int row,
+                                const double load_factor) const
+{
+  BladeLoad<dim> blade =
+    row < this->n_rows() ? body.blade_on_row(row) : no_blade(body.model());
+  blade.pressure = this->nodal_forces(
+    this->on_unknowns(path.forces(load_factor), 0, basis.vectors().size()));
+  // Behind the last row it is gone.
+  if (blade.row)
+    blade.opening_force = path.resultants().walls(load_factor);
+  return blade;
+}
+
+
+
+template <int dim>
+void
+CutContact<dim>::check(const ContactPath<dim> &path,
+                       const State<dim> &state) const
+{
+  const auto [missing, pull] = path.violation(
+    work_of(basis.vectors(), state.displacement), state.load_factor);
+  const double largest = state.displacement.linfty_norm();
+  const double allowed = 1e-10 * std::max(profile.keeps_apart, largest) +
+                         10 * state.quality.estimated_relative_error * largest;
+  if (missing <= allowed && pull <= 1e-10)
+    return;
+  std::ostringstream message;
+  message << "The contact of the walls with the blade does not hold: they come "
+             "nearer to each other than they may, by "
+          << missing << ", which must not exceed " << allowed
+          << ", or are pulled by " << pull
+          << " of the largest pressure. The solution is not to be trusted.";
+  throw InvariantError(message.str());
 }
 
 

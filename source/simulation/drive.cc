@@ -2,6 +2,7 @@
 #include <setsudan/simulation/blade_travel.h>
 #include <setsudan/simulation/drive.h>
 #include <setsudan/simulation/nonlinear_ramp.h>
+#include <setsudan/simulation/nonlinear_travel.h>
 #include <setsudan/simulation/wedged_force.h>
 
 namespace Setsudan
@@ -91,6 +92,8 @@ template <int dim>
 std::unique_ptr<Drive<dim>>
 Drive<dim>::make(const Scene<dim> &scene)
 {
+  if (scene.blade.travels && !scene.material.is_linear())
+    return std::make_unique<NonlinearTravel<dim>>(scene);
   if (scene.blade.travels)
     return std::make_unique<BladeTravel<dim>>(scene);
   if (scene.has_contact())

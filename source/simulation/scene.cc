@@ -201,9 +201,20 @@ void
 check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
 {
   const std::string where = " where Deformation/Strain is finite";
-  parameters.require(!scene.blade.travels, "Blade", "Drive", "force" + where);
+  parameters.require(scene.blade.travels || !scene.has_contact(),
+                     "Division",
+                     "Split rows",
+                     "opened or free" + where);
   parameters.require(
-    !scene.has_contact(), "Division", "Split rows", "opened or free" + where);
+    scene.blade.sliding.adhesion == 0, "Blade", "Adhesion", "0" + where);
+  parameters.require(
+    scene.blade.sliding.is_guided, "Blade", "Guide", "fixed" + where);
+  parameters.require(!scene.blade.path.turns() ||
+                       scene.blade.sliding.friction == 0,
+                     "Blade",
+                     "Travel",
+                     "positions that ascend where there is friction and "
+                     "Deformation/Strain is finite");
   parameters.require(
     !scene.board.is_given, "Board", "Plane", "nothing" + where);
   parameters.require(

@@ -131,8 +131,9 @@ Simulation<dim>::make_cut(const unsigned int cut)
         state.motion = motion->at_entry();
       split_nodes();
     }
-  deform(0);
-  return make_cut_from(0);
+  const unsigned int first_row = open_notch();
+  deform(first_row);
+  return make_cut_from(first_row);
 }
 
 

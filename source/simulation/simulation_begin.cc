@@ -68,9 +68,29 @@ Simulation<dim>::deform_only()
 
 
 
-#define INSTANTIATE(dim)                 \
-  template void Simulation<dim>::rest(); \
-  template void Simulation<dim>::lie();  \
+template <int dim>
+unsigned int
+Simulation<dim>::open_notch()
+{
+  const auto &rows     = body.seam().rows();
+  const double deepest = (1 + 1e-9) * scene.cut.notch;
+  unsigned int row     = 0;
+  while (row + 1 < rows.size() &&
+         rows[row + 1].depth - rows[0].depth <= deepest)
+    release_row(row++);
+  if (scene.cut.notch > 0)
+    results.progress.info("  notch: " + std::to_string(row) +
+                          (row == 1 ? " row is" : " rows are") +
+                          " open before the blade comes.");
+  return row;
+}
+
+
+
+#define INSTANTIATE(dim)                               \
+  template unsigned int Simulation<dim>::open_notch(); \
+  template void Simulation<dim>::rest();               \
+  template void Simulation<dim>::lie();                \
   template void Simulation<dim>::deform_only();
 
 INSTANTIATE(2)

@@ -76,6 +76,31 @@ check_entry(const Parameters &parameters,
 
 
 
+/** Refuse a notch that leaves nothing to cut. */
+template <int dim>
+void
+check_notch(const Parameters &parameters,
+            const Scene<dim> &scene,
+            const Cut<dim> &cut)
+{
+  const auto &mesh = scene.body.mesh;
+  double entry = std::numeric_limits<double>::max(), end = -entry;
+  for (const auto &face : cut.surface.faces)
+    for (const unsigned int vertex : mesh.face_vertices(face.minus))
+      {
+        const double travel = cut.edge.travel(mesh.vertices[vertex]);
+        entry               = std::min(entry, travel);
+        end                 = std::max(end, travel);
+      }
+  parameters.require(scene.cut.notch < end - entry,
+                     "Cut",
+                     "Notch",
+                     "less than " + short_text(end - entry) +
+                       ", the depth of '" + cut.text + "'");
+}
+
+
+
 /** Refuse a blade that is wider than the body across a cut. */
 template <int dim>
 void
@@ -130,6 +155,7 @@ check_travel(const Parameters &parameters, const Scene<dim> &scene)
     {
       check_blade_fits(parameters, scene, scene.cut.cuts[c]);
       check_entry(parameters, scene, c);
+      check_notch(parameters, scene, scene.cut.cuts[c]);
       check_travel_on_board(parameters, scene, scene.cut.cuts[c]);
     }
   require(scene.yield.check == YieldParameters::Check::every_row,

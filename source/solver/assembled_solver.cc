@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
 #include <setsudan/solver/assembled_solver.h>
 #include <setsudan/space/near_null_space.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Setsudan
@@ -28,14 +31,39 @@ AssembledSolver<dim>::AssembledSolver(
 
 template <int dim>
 void
-AssembledSolver<dim>::linearize(const Linearization &linearization)
+AssembledSolver<dim>::linearize(const Linearization &linearization,
+                                const double shift)
 {
   assemble_tangent(model, linearization, constraints, matrix);
+  if (shift > 0)
+    {
+      double sum = 0;
+      for (const auto i : matrix.locally_owned_range_indices())
+        sum += std::abs(matrix.diag_element(i));
+      sum = Utilities::MPI::sum(sum, model.discretization.communicator);
+      for (const auto i : matrix.locally_owned_range_indices())
+        matrix.add(i, i, shift * sum / matrix.m());
+      matrix.compress(VectorOperation::add);
+    }
   solver->initialize(
     matrix,
     solver->is_iterative()
       ? rigid_modes_at<dim>(model.discretization.dof_locations())
       : std::vector<std::vector<double>>());
+}
+
+
+
+template <int dim>
+double
+AssembledSolver<dim>::round_off() const
+{
+  double squares = 0;
+  for (const auto &[position, component] : model.discretization.dof_locations())
+    squares += position[component] * position[component];
+  squares = Utilities::MPI::sum(squares, model.discretization.communicator);
+  return std::numeric_limits<double>::epsilon() * matrix.linfty_norm() *
+         std::sqrt(squares);
 }
 
 

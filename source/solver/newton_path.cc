@@ -93,7 +93,8 @@ NewtonPath<dim>::is_solved(const NewtonIterate &now,
 {
   // Close to a solution a step squares the residual, unless that is round-off.
   const bool is_round_off =
-    now.relative_residual < failure_threshold &&
+    (now.relative_residual < failure_threshold ||
+     now.residual.l2_norm() <= solver.round_off()) &&
     now.relative_residual > before.relative_residual / 4;
   return now.relative_residual <= parameters.tolerance || is_round_off;
 }

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/mechanics/stress/deformation_extremes.h>
-#include <setsudan/mesh/geometry.h>
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/solver/newton_path.h>
 #include <setsudan/solver/newton_solver.h>
-#include <setsudan/solver/softest_mode.h>
+#include <setsudan/solver/no_equilibrium.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <sstream>
-#include <string>
 
 namespace Setsudan
 {
@@ -18,13 +13,6 @@ using namespace dealii;
 
 namespace
 {
-/** A part that takes no more steps than that is followed by a larger one. */
-constexpr unsigned int few_steps = 6;
-/** The smallest part. */
-constexpr double smallest_part = 1. / 256;
-
-
-
 /**
  * Go on from one part of a way to another, with the one tangent or the other;
  * nothing where neither leads to a state that a body can be in.
@@ -61,66 +49,6 @@ try_part(const ElasticModel<dim> &model,
       }
   return {};
 }
-
-
-
-/** Where a body gives way, as a sentence. */
-template <int dim>
-std::string
-describe_softest_mode(const ElasticModel<dim> &model,
-                      const AffineConstraints<double> &constraints,
-                      const SolverParameters &parameters,
-                      const LA::Vector &displacement)
-{
-  std::ostringstream text;
-  text << "There the body gives way";
-  try
-    {
-      const auto softest =
-        softest_mode(model, constraints, parameters, displacement);
-      text << " along (";
-      for (unsigned int c = 0; c < dim; ++c)
-        text << (c == 0 ? "" : ", ")
-             << std::round(100 * softest.direction[c]) / 100;
-      text << ") at " << text_of(softest.node);
-    }
-  catch (const SolverError &)
-    {
-      // The tangent is so nearly singular that it cannot be solved with.
-    }
-  text << " without more load. Hold it, or lower the load.";
-  return text.str();
-}
-
-
-
-/** @throw NoEquilibriumError always.
- * @param last the last state that was reached. */
-template <int dim>
-[[noreturn]] void
-give_up(const ElasticModel<dim> &model,
-        const AffineConstraints<double> &constraints,
-        const SolverParameters &parameters,
-        const LA::Vector &last,
-        const double part)
-{
-  // A volume that is nearly nothing is why, and no softness elsewhere.
-  constexpr double nearly_nothing = 0.2;
-  const auto volume               = find_smallest_volume(model, last);
-  std::ostringstream message;
-  message.precision(3);
-  message << "There is no stable equilibrium beyond " << part
-          << " of the way from the last state to this one. ";
-  if (volume.ratio < nearly_nothing)
-    message << "Element " << volume.element << " is pressed to " << volume.ratio
-            << " of its volume at its node " << text_of(volume.node)
-            << " there: a force at a node or on a line presses a fine mesh "
-               "through itself. Spread the load, lower it, or take larger "
-               "elements.";
-  else
-    message << describe_softest_mode(model, constraints, parameters, last);
-  throw NoEquilibriumError(message.str());
-}
 } // namespace
 
 
@@ -146,24 +74,21 @@ NewtonSolver<dim>::solve(const LA::Vector &forces,
   NewtonIterate last   = path.beginning();
   unsigned int n_steps = 0;
   std::optional<SolverError> failure;
-  double part = 0, length = 1;
-  while (part < 1)
+  const double reached = follow_in_parts(
+    [&](const double behind, const double part) -> std::optional<unsigned int> {
+      auto next = try_part(model, path, last, behind, part, failure);
+      if (!next)
+        return {};
+      last = std::move(*next);
+      n_steps += last.n_steps;
+      return last.n_steps;
+    });
+  if (reached < 1)
     {
-      const double next = std::min(part + length, 1.);
-      if (auto reached = try_part(model, path, last, part, next, failure))
-        {
-          n_steps += reached->n_steps;
-          if (reached->n_steps <= few_steps)
-            length *= 1.5;
-          last = std::move(*reached);
-          part = next;
-        }
-      else if (length /= 2; length < smallest_part)
-        {
-          if (failure)
-            throw *failure;
-          give_up(model, *constraints, parameters, last.displacement, part);
-        }
+      if (failure)
+        throw *failure;
+      throw_no_equilibrium(
+        model, *constraints, parameters, last.displacement, reached);
     }
   path.quality.residual    = last.relative_residual;
   path.quality.force_scale = path.size_of_first_forces();

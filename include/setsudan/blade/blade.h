@@ -62,6 +62,10 @@ struct BladeParameters
   /** Whether the edge moves by a travel, and the force is the reaction. */
   bool travels;
   BladePath path;
+  /** The longest step of its travel in a body that is not linear; 0: as the
+   * rows are. And by how much of what is required a split may exceed it. */
+  double advance;
+  double advance_tolerance;
   SlidingBlade sliding;
   /** The blade's body. */
   BladeProfile profile;

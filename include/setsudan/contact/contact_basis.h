@@ -31,6 +31,8 @@ struct TouchingBlade
   bool has_flanks = false;
   /** Whether the front rests on its edge. */
   bool has_edge = true;
+  /** Whether the edge holds what rests on it across the cut. */
+  bool edge_holds = false;
 };
 
 /**
@@ -156,9 +158,17 @@ public:
   double
   split_area(const unsigned int hat, const unsigned int n_split) const;
 
+  /** Whether the edge holds what rests on it across the cut. */
+  bool
+  edge_holds() const
+  {
+    return blade.edge_holds;
+  }
+
   /** The number of a hat's vector, if it has flanks, and of what the edge
    * measures at a node: its displacement along the blade's direction and, as
-   * far as it is dragged, aside. */
+   * far as it is dragged, aside. The next one is that across the cut, if the
+   * edge holds it. */
   unsigned int
   vector_of_hat(const unsigned int hat,
                 const Wall wall,

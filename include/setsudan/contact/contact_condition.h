@@ -66,6 +66,11 @@ namespace Setsudan
  * front, which is tied, the blade's thickness falls to nothing within an
  * element.
  *
+ * Where the body is not linear what rests on a sharp edge does not slide off
+ * it:
+ *
+ *   hold  n.u = 0 where the edge presses, n normal to the cut.
+ *
  * On the board, at the distance g, a corner sticks where it has come to it: two
  * grips, in 2D one, follow its condition.
  */
@@ -77,6 +82,7 @@ struct ContactCondition
   enum class Kind
   {
     edge,
+    hold,
     flank,
     stick,
     walls,

@@ -134,6 +134,21 @@ public:
   std::array<double, 2>
   violation(const std::vector<double> &measured, const double travel) const;
 
+  /** How many eigenvalues the compliance of the active conditions has that are
+   * negative. A body whose stiffness has as many is stable while these hold:
+   * on all motions that leave their gaps closed the stiffness is positive. */
+  unsigned int
+  n_unstable() const;
+
+  /** What the multipliers would do along the gaps by which a displacement
+   * violates their conditions: at least as much does the energy of the body
+   * rise on the way to one that does not.
+   *
+   * @param measured what the vectors of the basis measure of it. */
+  double
+  work_to_fulfil(const std::vector<double> &measured,
+                 const double travel) const;
+
   /** The same of the foundation's springs. */
   std::vector<double>
   foundation_forces(const double travel) const;
@@ -156,6 +171,8 @@ private:
   earlier_walls_condition(const unsigned int corner) const;
   Condition
   edge_condition(const unsigned int node) const;
+  Condition
+  hold_condition(const unsigned int node) const;
   Condition
   board_condition(const unsigned int corner) const;
   Condition
@@ -186,6 +203,11 @@ private:
   void
   begin_anchors(const std::vector<double> &measured,
                 const std::vector<double> &earlier);
+
+  /** Let the edge hold the nodes that have come to rest on it; whether there
+   * are any. */
+  bool
+  update_holds();
 
   /** Let corners stick where they have come to the board; whether any did. One
    * that is torn off again where it sticks has no friction for now. */

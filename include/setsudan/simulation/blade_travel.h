@@ -38,14 +38,6 @@ public:
   finish(CutBody<dim> &body, const State<dim> &from) override;
 
 private:
-  /** The next stop on the blade's path, or where it cannot go on. */
-  double
-  goal_of(const CutBody<dim> &body, const BladeMotion &motion) const;
-
-  /** Go on from the stop where the blade is. */
-  void
-  reach_stop(BladeMotion &motion) const;
-
   /** Follow the travel up to a goal or until rows split; nothing where they do
    * not. */
   std::optional<Split>

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/contact/contact_path.h>
+#include <setsudan/simulation/contact_base.h>
 #include <setsudan/simulation/stage_compliance.h>
-#include <setsudan/simulation/state.h>
 
-#include <map>
 #include <memory>
-#include <optional>
-#include <vector>
 
 namespace Setsudan
 {
@@ -17,7 +13,7 @@ namespace Setsudan
  * each other (StageCompliance): of a blade that travels, or of one that the
  * scene's forces press in, over the load factor. */
 template <int dim>
-class CutContact
+class CutContact : private ContactBase<dim>
 {
 public:
   /** @param body, profile must live as long.
@@ -55,7 +51,7 @@ public:
   bool
   has_last_stage() const
   {
-    return last_stage == n_rows(body);
+    return last_stage == this->n_rows();
   }
 
   /** The state in which the contacts of a path hold at a travel or load factor.
@@ -69,35 +65,6 @@ public:
         const LA::Vector &guess) const;
 
 private:
-  static unsigned int
-  n_rows(const CutBody<dim> &body);
-  static ContactBasis<dim>
-  make_basis(CutBody<dim> &body, const BladeProfile &profile);
-
-  /** Whether it is of a blade that the scene's forces press in. */
-  bool
-  has_forces() const;
-
-  std::unique_ptr<ContactPath<dim>>
-  path(const BladeProfile &profile,
-       const unsigned int n_split,
-       const unsigned int n_ahead,
-       const BladeMotion &motion,
-       const ContactPath<dim> *neighbour);
-
-  /** The blade, or the board, as it presses at a travel. */
-  BladeLoad<dim>
-  blade_load(const ContactPath<dim> &path,
-             const unsigned int row,
-             const double travel) const;
-  /** Take the forces on outer faces out of those on vectors, as forces at the
-   * middle of each hat. */
-  void
-  add_outer_forces(std::vector<double> &of_vectors,
-                   BladeLoad<dim> &blade) const;
-  std::optional<BoardLoad<dim>>
-  board_load(const ContactPath<dim> &path, const double travel) const;
-
   /** The blade under the scene's forces, and its pressure. */
   BladeLoad<dim>
   pressing_blade(const ContactPath<dim> &path,
@@ -114,33 +81,16 @@ private:
   untouched(const dealii::LAPACKFullMatrix<double> &products,
             const unsigned int n_split) const;
 
-  /** Forces on some vectors of the basis, as forces on the unknowns. */
-  std::map<dealii::types::global_dof_index, double>
-  on_unknowns(const std::vector<double> &forces,
-              const unsigned int begin,
-              const unsigned int end) const;
-
-  /** The same as a vector. */
-  LA::Vector
-  nodal_forces(
-    const std::map<dealii::types::global_dof_index, double> &forces) const;
-
   /** The vectors of the basis, and behind them the scene's forces on the edge
    * in each stage. */
   StageForces
   stage_forces() const;
 
-  CutBody<dim> &body;
-  const BladeProfile &profile;
-  const BladeProfile no_profile;
-  const ContactBasis<dim> basis;
+  using ContactBase<dim>::body;
+  using ContactBase<dim>::profile;
+  using ContactBase<dim>::basis;
   const unsigned int last_stage;
-  /** A travel that is small beside a row. */
-  const double step;
   const std::unique_ptr<StageCompliance<dim>> compliance;
-  /** What the vectors measure in the displacement that it began with; empty
-   * where there is no board. */
-  std::vector<double> measured;
 };
 
 /** A body without a cut as it lies on its board.

@@ -91,6 +91,11 @@ private:
   void
   split_nodes();
 
+  /** Split the rows that are open before the blade comes; the first row that is
+   * not. */
+  unsigned int
+  open_notch();
+
   void
   release_row(const unsigned int row);
 

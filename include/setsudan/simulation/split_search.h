@@ -84,7 +84,6 @@ public:
                  const BladeMotion &motion,
                  const double released) const = 0;
 
-protected:
   /** What the speed multiplies what is required with, if so much of the front
    * splits where the blade is. */
   double
@@ -92,6 +91,7 @@ protected:
               const BladeMotion &motion,
               const double travel) const;
 
+protected:
   const Scene<dim> &scene;
 };
 } // namespace Setsudan

@@ -6,6 +6,7 @@
 #include <setsudan/solver/solver_choice.h>
 
 #include <memory>
+#include <optional>
 
 namespace Setsudan
 {
@@ -26,10 +27,25 @@ public:
 
   /** Take the tangent about another displacement.
    *
+   * @param shift what is added to its diagonal, in relation to the mean of
+   *   that.
    * @throw NotDefiniteError where it is not positive definite; of an iterative
    *   solver solves do. */
   void
-  linearize(const Linearization &linearization);
+  linearize(const Linearization &linearization, const double shift = 0);
+
+  /** How many eigenvalues of the tangent are negative; nothing where its kind
+   * does not tell. */
+  std::optional<unsigned int>
+  n_negative() const
+  {
+    return solver->n_negative();
+  }
+
+  /** The norm of what internal forces lose to round-off of the nodes'
+   * positions, of a body at rest too. */
+  double
+  round_off() const;
 
 private:
   /** Solve, with iterative refinement. */

@@ -46,6 +46,15 @@ CutParameters<dim>::declare(ParameterHandler &handler)
       "by ';' [length].");
   Setsudan::declare(handler,
                     "Cut",
+                    "Notch",
+                    "0",
+                    Patterns::Double(),
+                    "How deep each cut is open before the blade comes, where "
+                    "Blade/Drive is travel: rows up to this depth behind the "
+                    "entry are split from the start, and take no energy "
+                    "[length].");
+  Setsudan::declare(handler,
+                    "Cut",
                     "Refinement near cut",
                     "0",
                     Patterns::List(Patterns::Double(0), 1, 2),
@@ -165,6 +174,13 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
                                   const Supports<dim> &supports,
                                   const BladeParameters<dim> &blade)
 {
+  notch = parameters.number("Cut", "Notch");
+  parameters.require(
+    notch >= 0, "Cut", "Notch", "a number that is not negative");
+  parameters.require(blade.travels || notch == 0,
+                     "Cut",
+                     "Notch",
+                     "0 where Blade/Drive is force");
   const auto near = parameters.numbers("Cut", "Refinement near cut");
   near_cut_levels = static_cast<unsigned int>(near[0]);
   near_cut_width  = near.size() > 1 ? near[1] : 0.;

@@ -38,6 +38,9 @@ struct CutParameters
 
   std::vector<Cut<dim>> cuts;
 
+  /** How deep each cut is open before a blade that travels comes. */
+  double notch = 0;
+
   /** How often elements near the cuts are halved along each axis. */
   unsigned int near_cut_levels = 0;
   /** Up to which distance from a cut. */

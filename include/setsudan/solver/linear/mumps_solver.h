@@ -3,12 +3,9 @@
 
 #include <setsudan/solver/linear/linear_solver.h>
 
-#include <Epetra_LinearProblem.h>
-
 #include <memory>
+#include <optional>
 #include <vector>
-
-class Amesos_Mumps;
 
 namespace Setsudan
 {
@@ -37,14 +34,14 @@ public:
   void
   solve(LA::Vector &x, const LA::Vector &b) override;
 
+  std::optional<unsigned int>
+  n_negative() const override;
+
 private:
-  /** @return whether the workspace sufficed. */
-  bool
-  factorize(const int percent);
+  class Instance;
 
   const int spare_percent;
   const bool is_definite;
-  Epetra_LinearProblem problem;
-  std::unique_ptr<Amesos_Mumps> mumps;
+  std::unique_ptr<Instance> mumps;
 };
 } // namespace Setsudan

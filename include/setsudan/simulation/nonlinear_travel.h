@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <setsudan/simulation/drive.h>
+#include <setsudan/simulation/nonlinear_contact.h>
+#include <setsudan/simulation/split_search.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Setsudan
+{
+/**
+ * The blade's edge moves along its direction, as BladeTravel, through a body
+ * that is not linear: in steps of Blade/Advance at most, and in shorter ones
+ * where rows are about to split. The travel at which they do lies between that
+ * of two equilibria, and is found up to Blade/Advance tolerance of what is required.
+ *
+ * Of the energy criterion each equilibrium is judged by the equilibria with
+ * more rows split and the blade where it is.
+ */
+template <int dim>
+class NonlinearTravel : public Drive<dim>
+{
+public:
+  explicit NonlinearTravel(const Scene<dim> &scene);
+
+  State<dim>
+  advance(CutBody<dim> &body,
+          const unsigned int row,
+          const State<dim> &from) override;
+
+  std::optional<State<dim>>
+  settle(CutBody<dim> &body,
+         const unsigned int row,
+         const State<dim> &from) override;
+
+  bool
+  moves_on(const State<dim> &state) const override;
+
+  /** What the walls had stored they give back to the blade. */
+  State<dim>
+  finish(CutBody<dim> &body, const State<dim> &from) override;
+
+private:
+  using Equilibrium = ContactEquilibrium<dim>;
+
+  /** Where the blade is, and whether rows split there. */
+  struct Position
+  {
+    BladeMotion motion;
+    Equilibrium equilibrium;
+    /** How many rows split, if any do, and what drives them and is required. */
+    unsigned int n_rows = 1;
+    CuttingStress stress;
+    /** With so many more rows split. */
+    std::vector<Equilibrium> trials;
+
+    /** By how much what drives exceeds what is required, relative to that. */
+    double
+    excess() const;
+  };
+
+  /** Let the contact be of the present cut, and the blade where it is.
+   *
+   * @param row the first row that is not split. */
+  void
+  begin(CutBody<dim> &body, const unsigned int row, const State<dim> &from);
+
+  /** Move the blade on. */
+  Position
+  move(CutBody<dim> &body,
+       const unsigned int row,
+       const Position &from,
+       const double travel) const;
+
+  /** What is left of the energy for new surface, and for an excess. */
+  double
+  energy_set_free(const Position &position, const Equilibrium &after) const;
+
+  /** Ask whether rows split. */
+  void
+  judge(CutBody<dim> &body, const unsigned int row, Position &position) const;
+
+  /** The first position up to a goal at which rows split, or the goal's. */
+  Position
+  follow(CutBody<dim> &body,
+         const unsigned int row,
+         const Position &from,
+         const double goal) const;
+
+  /** The position between two, of which rows split at the second only, from
+   * which on they do. */
+  Position
+  locate(CutBody<dim> &body,
+         const unsigned int row,
+         Position before,
+         Position after) const;
+
+  State<dim>
+  state(const Position &position, const unsigned int row) const;
+
+  /** How many rows may split at once. */
+  unsigned int
+  n_ahead(CutBody<dim> &body, const unsigned int row) const;
+
+  const std::unique_ptr<SplitSearch<dim>> search;
+  std::unique_ptr<NonlinearContact<dim>> contact;
+  std::optional<Position> here;
+};
+} // namespace Setsudan
