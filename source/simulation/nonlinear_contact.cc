@@ -62,7 +62,6 @@ private:
      * of all forces. */
     double residual          = 0;
     double relative_residual = 0;
-    double length            = 1;
   };
 
   /** The loads when a part of the way is behind. */
@@ -326,8 +325,9 @@ NonlinearContact<dim>::Way::search(const Iterate &from,
         continue;
       const bool falls = tried.potential - from.potential <=
                          length * (penalty - least_share * fall);
-      // Forces of friction have no energy.
-      if (falls || tried.residual < from.residual)
+      // Forces of friction have no energy, and round-off has none to tell.
+      if (falls || tried.residual < from.residual ||
+          tried.residual <= solver.round_off())
         return tried;
     }
   return {};
@@ -361,7 +361,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from, const double part)
         {
           if (find_smallest_volume(model, next.displacement).ratio <= 0)
             return {};
-          quality.residual    = next.residual;
+          quality.residual    = next.relative_residual;
           const double energy = next.internal.energy +
                                 next.internal.potential_of_pressure -
                                 model.loads * next.displacement;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/parameters/exceptions.h>
+#include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/checks.h>
 #include <setsudan/simulation/nonlinear_travel.h>
 #include <setsudan/simulation/travel.h>
@@ -136,6 +138,7 @@ NonlinearTravel<dim>::judge(CutBody<dim> &body,
                             Position &position) const
 {
   position.trials.clear();
+  position.is_judged = true;
   if (!this->scene.yield.compares_energies())
     {
       State<dim> state = this->state(position, row);
@@ -191,7 +194,7 @@ NonlinearTravel<dim>::locate(CutBody<dim> &body,
       const double part = i % 4 == 3 ? 0.5 : low / (low - high);
       Position tried    = move(body, row, before, begin + part * (end - begin));
       judge(body, row, tried);
-      (tried.excess() >= 0 ? after : before) = std::move(tried);
+      (tried.yields() ? after : before) = std::move(tried);
     }
   return after;
 }
@@ -199,42 +202,73 @@ NonlinearTravel<dim>::locate(CutBody<dim> &body,
 
 
 template <int dim>
-typename NonlinearTravel<dim>::Position
+double
+NonlinearTravel<dim>::next_step(const Position &before,
+                                const Position &now,
+                                const double longest) const
+{
+  // Energies go with the square of the travel: a little beyond where they will
+  // be enough.
+  const double reached = root_of(1 + now.excess());
+  const double slope   = (reached - root_of(1 + before.excess())) /
+                       (now.motion.travel - before.motion.travel);
+  return slope > 0 ? std::min(longest, 1.02 * (1 - reached) / slope) : longest;
+}
+
+
+
+template <int dim>
+void
 NonlinearTravel<dim>::follow(CutBody<dim> &body,
                              const unsigned int row,
-                             const Position &from,
-                             const double goal) const
+                             const double goal)
 {
-  const double most  = longest_step(body);
-  const bool pushes  = goal >= from.motion.travel;
-  Position now       = from;
-  double length      = most;
-  const auto towards = [&](const double way) {
-    return pushes ? std::min(now.motion.travel + way, goal)
-                  : std::max(now.motion.travel - way, goal);
-  };
+  const double longest = longest_step(body);
+  // What is split closes while the blade is withdrawn, and no more splits.
+  const bool pushes = goal >= here->motion.travel;
+  double step       = longest;
   if (pushes)
-    judge(body, row, now);
-  while (now.motion.travel != goal && !(pushes && now.excess() >= 0))
+    judge(body, row, *here);
+  while (here->motion.travel != goal && !here->yields())
     {
-      Position next = move(body, row, now, towards(length));
-      // What is split closes while the blade is withdrawn, and no more splits.
+      const double travel = here->motion.travel;
+      Position next       = move(body,
+                           row,
+                           *here,
+                           pushes ? std::min(travel + step, goal)
+                                        : std::max(travel - step, goal));
       if (pushes)
         {
           judge(body, row, next);
-          if (next.excess() >= 0)
-            return locate(body, row, std::move(now), std::move(next));
-          // Energies go with the square of the travel: a little beyond where
-          // they will be enough.
-          const double reached = root_of(1 + next.excess());
-          const double slope   = (reached - root_of(1 + now.excess())) /
-                               (next.motion.travel - now.motion.travel);
-          length =
-            slope > 0 ? std::min(most, 1.02 * (1 - reached) / slope) : most;
+          if (next.yields())
+            next = locate(body, row, std::move(*here), std::move(next));
+          else
+            step = next_step(*here, next, longest);
         }
-      now = std::move(next);
+      here = std::move(next);
     }
-  return now;
+}
+
+
+
+template <int dim>
+void
+NonlinearTravel<dim>::go_on(CutBody<dim> &body, const unsigned int row)
+{
+  try
+    {
+      follow(body, row, goal_of_travel(body, here->motion));
+    }
+  catch (const NoEquilibriumError &error)
+    {
+      std::string message = "Beyond a travel of " +
+                            short_text(here->motion.travel) + ": " +
+                            error.what();
+      if (row == 0)
+        message += " An edge has no width, and presses a node of a flat face "
+                   "through itself: let the cut begin with Cut/Notch.";
+      throw NoEquilibriumError(message);
+    }
 }
 
 
@@ -260,9 +294,9 @@ NonlinearTravel<dim>::advance(CutBody<dim> &body,
 {
   begin(body, row, from);
   const auto &stops = this->scene.blade.path.stops;
-  here = follow(body, row, *here, goal_of_travel(body, here->motion));
+  go_on(body, row);
   BladeMotion &motion    = here->motion;
-  const bool yields      = here->excess() >= 0;
+  const bool yields      = here->yields();
   motion.n_rows_to_split = yields ? here->n_rows : 0;
   if (!yields && motion.n_stops < stops.size())
     reach_stop(this->scene.blade.path, motion);
@@ -298,6 +332,7 @@ NonlinearTravel<dim>::settle(CutBody<dim> &body,
   motion.excess_energy += released - taken;
   motion.n_rows_to_split = 0;
   here->equilibrium      = std::move(after);
+  here->is_judged        = false;
   here->trials.clear();
   return this->state(*here, row);
 }

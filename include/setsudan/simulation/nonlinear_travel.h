@@ -15,7 +15,8 @@ namespace Setsudan
  * The blade's edge moves along its direction, as BladeTravel, through a body
  * that is not linear: in steps of Blade/Advance at most, and in shorter ones
  * where rows are about to split. The travel at which they do lies between that
- * of two equilibria, and is found up to Blade/Advance tolerance of what is required.
+ * of two equilibria, and is found up to Blade/Advance tolerance of what is
+ * required.
  *
  * Of the energy criterion each equilibrium is judged by the equilibria with
  * more rows split and the blade where it is.
@@ -51,7 +52,9 @@ private:
   {
     BladeMotion motion;
     Equilibrium equilibrium;
-    /** How many rows split, if any do, and what drives them and is required. */
+    /** Whether it has been asked; how many rows split, if any do, and what drives
+     * them and is required. */
+    bool is_judged      = false;
     unsigned int n_rows = 1;
     CuttingStress stress;
     /** With so many more rows split. */
@@ -60,6 +63,12 @@ private:
     /** By how much what drives exceeds what is required, relative to that. */
     double
     excess() const;
+
+    bool
+    yields() const
+    {
+      return is_judged && excess() >= 0;
+    }
   };
 
   /** Let the contact be of the present cut, and the blade where it is.
@@ -83,12 +92,22 @@ private:
   void
   judge(CutBody<dim> &body, const unsigned int row, Position &position) const;
 
-  /** The first position up to a goal at which rows split, or the goal's. */
-  Position
-  follow(CutBody<dim> &body,
-         const unsigned int row,
-         const Position &from,
-         const double goal) const;
+  /** Go to the first position up to a goal at which rows split, or to the
+   * goal. */
+  void
+  follow(CutBody<dim> &body, const unsigned int row, const double goal);
+
+  /** How far to go next. */
+  double
+  next_step(const Position &before,
+            const Position &now,
+            const double longest) const;
+
+  /** Go to the next stop, or to where rows split.
+   *
+   * @throw NoEquilibriumError that says where there is none. */
+  void
+  go_on(CutBody<dim> &body, const unsigned int row);
 
   /** The position between two, of which rows split at the second only, from
    * which on they do. */
