@@ -2,6 +2,7 @@
 #include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/mesh/geometry.h>
 #include <setsudan/parameters/exceptions.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/newton_path.h>
 #include <setsudan/solver/newton_solver.h>
 #include <setsudan/solver/softest_mode.h>
@@ -127,10 +128,12 @@ give_up(const ElasticModel<dim> &model,
 template <int dim>
 NewtonSolver<dim>::NewtonSolver(const ElasticModel<dim> &model,
                                 std::shared_ptr<const Constraints> constraints,
-                                const SolverParameters &parameters)
+                                const SolverParameters &parameters,
+                                std::shared_ptr<CondensedSolver<dim>> factor)
   : model(model)
   , constraints(std::move(constraints))
   , parameters(parameters)
+  , factor(std::move(factor))
 {
 }
 
@@ -142,7 +145,8 @@ NewtonSolver<dim>::solve(const LA::Vector &forces,
                          const LA::Vector &lift,
                          const LA::Vector &start)
 {
-  NewtonPath<dim> path(model, *constraints, parameters, forces, lift, start);
+  NewtonPath<dim> path(
+    model, *constraints, parameters, forces, lift, start, factor);
   NewtonIterate last   = path.beginning();
   unsigned int n_steps = 0;
   std::optional<SolverError> failure;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/mechanics/law_kernel.h>
 #include <setsudan/solver/solver_choice.h>
 
 namespace Setsudan
@@ -103,6 +104,19 @@ choose_solver(const SolverParameters &parameters, const SystemSize &size)
 
 
 
+template <int dim>
+SolverKind
+choose_tangent_solver(const ElasticModel<dim> &model,
+                      const SolverParameters &parameters)
+{
+  const SystemSize size = size_of(model.discretization);
+  return parameters.is_direct(size.n_unknowns) || !has_law_kernel(model)
+           ? choose_assembled(parameters, size)
+           : SolverKind::matrix_free;
+}
+
+
+
 SolverKind
 choose_fallback(const SystemSize &size)
 {
@@ -170,4 +184,8 @@ template SystemSize
 size_of(const Discretization<2> &);
 template SystemSize
 size_of(const Discretization<3> &);
+template SolverKind
+choose_tangent_solver(const ElasticModel<2> &, const SolverParameters &);
+template SolverKind
+choose_tangent_solver(const ElasticModel<3> &, const SolverParameters &);
 } // namespace Setsudan

@@ -49,7 +49,7 @@ SolverSelection<dim>::choice(const ElasticModel<dim> &model) const
 {
   const SystemSize size = size_of(model.discretization);
   if (!model.is_linear())
-    return {choose_assembled(parameters, size),
+    return {choose_tangent_solver(model, parameters),
             "in each step of Newton's method"};
   const auto chosen = choose_solver(parameters, size);
   if (chosen.kind == SolverKind::matrix_free && has_fallen_back)

@@ -64,6 +64,14 @@ public:
     return c01 == 0 ? "isochoric neo-Hooke" : "Mooney-Rivlin";
   }
 
+  std::optional<NeoHookeForm>
+  neo_hooke() const override
+  {
+    if (c01 != 0)
+      return {};
+    return NeoHookeForm{volumetric.form, true};
+  }
+
 private:
   StrainEnergy
   of_isochoric(const dealii::SymmetricTensor<2, 3> &C) const override;

@@ -9,6 +9,9 @@
 
 namespace Setsudan
 {
+template <int dim>
+struct ElasticModel;
+
 /** How the equations of one state are solved. */
 enum class SolverKind
 {
@@ -71,6 +74,12 @@ choose_solver(const SolverParameters &parameters, const SystemSize &size);
 /** The kind with an assembled matrix. */
 SolverKind
 choose_assembled(const SolverParameters &parameters, const SystemSize &size);
+
+/** The kind with which steps of Newton's method are solved. */
+template <int dim>
+SolverKind
+choose_tangent_solver(const ElasticModel<dim> &model,
+                      const SolverParameters &parameters);
 
 /** The kind from where SolverKind::matrix_free has failed on. */
 SolverKind
