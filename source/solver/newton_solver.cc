@@ -146,7 +146,13 @@ NewtonSolver<dim>::solve(const LA::Vector &forces,
                          const LA::Vector &start)
 {
   NewtonPath<dim> path(
-    model, *constraints, parameters, forces, lift, start, factor);
+    model,
+    *constraints,
+    parameters,
+    forces,
+    lift,
+    start,
+    factor && factor->set_constraints(constraints) ? factor : nullptr);
   NewtonIterate last   = path.beginning();
   unsigned int n_steps = 0;
   std::optional<SolverError> failure;

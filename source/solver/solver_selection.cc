@@ -86,11 +86,11 @@ SolverSelection<dim>::solver(const ElasticModel<dim> &model,
                              std::shared_ptr<const Constraints> constraints,
                              const CutStages *stages)
 {
-  if (!model.is_linear())
-    return std::make_shared<NewtonSolver<dim>>(
-      model, std::move(constraints), parameters);
   if (stages != nullptr && !condensed)
     condensed = condense(model, *stages);
+  if (!model.is_linear())
+    return std::make_shared<NewtonSolver<dim>>(
+      model, std::move(constraints), parameters, condensed);
   if (condensed && condensed->set_constraints(constraints))
     return condensed;
   condensed.reset();

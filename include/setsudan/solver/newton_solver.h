@@ -37,8 +37,9 @@ public:
 
   /** @param model must live as long.
    * @param constraints homogeneous and closed.
-   * @param factor at these constraints, with which conjugate gradients are
-   *   preconditioned (see TangentIteration); or nothing. */
+   * @param factor of the cut that the constraints belong to, with which
+   *   conjugate gradients are preconditioned (see TangentIteration); or
+   *   nothing. */
   NewtonSolver(const ElasticModel<dim> &model,
                std::shared_ptr<const Constraints> constraints,
                const SolverParameters &parameters,
