@@ -38,11 +38,12 @@ NewtonPath<dim>::NewtonPath(const ElasticModel<dim> &model,
            constraints,
            parameters,
            choose_assembled(parameters, size_of(model.discretization)))
+  , is_small(choose_tangent_solver(model, parameters) !=
+             SolverKind::matrix_free)
 {
-  if (factor ||
-      choose_tangent_solver(model, parameters) == SolverKind::matrix_free)
+  if (factor || !is_small)
     iteration = std::make_unique<TangentIteration<dim>>(
-      model, constraints, parameters, factor);
+      model, constraints, parameters, std::move(factor));
   first.displacement = start;
   first.internal     = evaluate_laws(model, start);
   lacking_forces -= first.internal.forces;
@@ -155,7 +156,8 @@ NewtonPath<dim>::step(const Linearization &linearization,
     }
   catch (const NotDefiniteError &)
     {
-      if (!may_be_indefinite)
+      // To factor L D L^T of a large body takes longer than to halve the part.
+      if (!may_be_indefinite || !is_small)
         throw;
     }
   last_was_definite = false;

@@ -50,7 +50,8 @@ SolverSelection<dim>::choice(const ElasticModel<dim> &model) const
   const SystemSize size = size_of(model.discretization);
   if (!model.is_linear())
     return {choose_tangent_solver(model, parameters),
-            "in each step of Newton's method"};
+            "in each step of Newton's method, " +
+              choose_solver(parameters, size).reason};
   const auto chosen = choose_solver(parameters, size);
   if (chosen.kind == SolverKind::matrix_free && has_fallen_back)
     return {choose_fallback(size), "since multigrid has failed"};

@@ -143,6 +143,7 @@ private:
   /** That of the internal forces at the start. */
   double size_of_forces;
   AssembledSolver<dim> solver;
+  const bool is_small;
   /** What is taken in its place, until it fails. */
   std::unique_ptr<TangentIteration<dim>> iteration;
   /** Of matrices that are not definite; made where there are any. */
