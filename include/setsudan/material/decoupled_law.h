@@ -3,6 +3,7 @@
 
 #include <setsudan/material/hyperelastic_law.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
