@@ -56,7 +56,9 @@ TangentIteration<dim>::linearize(const Linearization &linearization,
                                  const double accuracy)
 {
   tolerance = accuracy;
+  // Before there is another one, which is as large.
   matrix.reset();
+  tangent.reset();
   tangent = tangent_by_kernel(model, linearization);
   matrix  = std::make_unique<const ConstrainedStiffness<dim>>(
     model.discretization, model.batches(), *local_constraints, tangent);
