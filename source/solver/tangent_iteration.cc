@@ -91,11 +91,13 @@ TangentIteration<dim>::iterate(Vector &x,
                                const double wanted,
                                const unsigned int most)
 {
+  if (residual.l2_norm() <= wanted)
+    return true;
   Vector direction(x), forces(x), corrected(x);
   precondition(corrected, residual);
   direction      = corrected;
   double product = residual * corrected;
-  for (unsigned int i = 0; i < most && residual.l2_norm() > wanted; ++i)
+  for (unsigned int i = 0; i < most; ++i)
     {
       matrix->vmult(forces, direction);
       const double curvature = direction * forces;
@@ -105,12 +107,14 @@ TangentIteration<dim>::iterate(Vector &x,
           "Conjugate gradients met a tangent that is not positive definite.");
       x.add(product / curvature, direction);
       residual.add(-product / curvature, forces);
+      if (residual.l2_norm() <= wanted)
+        return true;
       precondition(corrected, residual);
       const double before = product;
       product             = residual * corrected;
       direction.sadd(product / before, 1., corrected);
     }
-  return residual.l2_norm() <= wanted;
+  return false;
 }
 
 
