@@ -9,6 +9,7 @@ import statistics
 import tempfile
 
 import block
+import finite
 import measure
 import peers
 from measure import benchmark, cube, number, program, remembered, table
@@ -345,6 +346,8 @@ SECTIONS = {
     "A larger solve": larger_solve,
     "The equations alone": one_equation,
     "A whole cut": whole_cut,
+    "Finite strain": finite.finite_solve,
+    "A cut under finite strain": finite.finite_cut,
     "A blade that travels": travels,
     "From a thousand to ten million unknowns": sizes,
     "Slender and nearly incompressible bodies": hard_bodies,

@@ -56,6 +56,20 @@ operator-(const double a, const CountedNumber)
 
 
 CountedNumber
+operator+(const CountedNumber a, const double b)
+{
+  return counted(a.value + b);
+}
+
+
+CountedNumber
+operator-(const CountedNumber a, const double b)
+{
+  return counted(a.value - b);
+}
+
+
+CountedNumber
 operator*(const CountedNumber a, const CountedNumber b)
 {
   return counted(a.value * b.value);

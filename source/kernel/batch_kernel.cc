@@ -4,8 +4,11 @@
 // include what has inline functions with a name outside this file: the linker
 // would take those of one kind for all.
 #include <setsudan/kernel/displacement_gradients.h>
+#include <setsudan/kernel/function_stiffness.h>
+#include <setsudan/kernel/neo_hooke_batch.h>
 #include <setsudan/kernel/quadratic_grid.h>
 #include <setsudan/kernel/stiffness_kernel.h>
+#include <setsudan/kernel/tangent_batch.h>
 
 #define SETSUDAN_STRING_(name) #name
 #define SETSUDAN_STRING(name) SETSUDAN_STRING_(name)
@@ -16,24 +19,6 @@ namespace SETSUDAN_KIND
 {
 namespace
 {
-/** The gradient of the reference coordinates at a point. */
-template <int dim, bool uniform>
-struct Gradients
-{
-  const double *const values;
-
-  Lanes
-  operator()(const int point, const int r, const int direction) const
-  {
-    const int i = (point * dim + r) * dim + direction;
-    if constexpr (uniform)
-      return values[i] - Lanes{};
-    else
-      return reinterpret_cast<const Lanes *>(values)[i];
-  }
-};
-
-
 /** Have numbers brought into the second cache. */
 inline void
 fetch(const double *const numbers, const int n)
@@ -135,20 +120,13 @@ cell_residual(const CellBatch &batch, const Field<dim> &u, Field<dim> &f)
         }
 
       for (int r = 0; r < dim; ++r)
-        {
-          const int stride = stride_of[r];
-          const int at     = (q / stride) % 3;
-          const int first  = q - at * stride;
-          for (int c = 0; c < dim; ++c)
-            {
-              Lanes flux = stress[c][0] * s[r][0];
-              for (int d = 1; d < dim; ++d)
-                flux += stress[c][d] * s[r][d];
-              for (int i = 0; i < 3; ++i)
-                if (derivative[at][i] != 0)
-                  f[c][first + i * stride] += derivative[at][i] * flux;
-            }
-        }
+        for (int c = 0; c < dim; ++c)
+          {
+            Lanes flux = stress[c][0] * s[r][0];
+            for (int d = 1; d < dim; ++d)
+              flux += stress[c][d] * s[r][d];
+            add_flux<dim>(f, q, r, c, flux);
+          }
     }
 }
 
@@ -206,23 +184,26 @@ add(const CellBatch &batch,
 
 
 
+/** A field at Gauss's points. */
 template <int dim, bool serendipity>
-void
-apply(const CellBatch &batch,
-      const double *const displacement,
-      double *const forces)
+inline void
+read_at_points(const CellBatch &batch,
+               const double *const vector,
+               Field<dim> &field)
+{
+  read_on_grid<dim, serendipity>(batch, vector, field);
+  for (int c = 0; c < dim; ++c)
+    to_points<dim>(field[c]);
+}
+
+
+
+/** Add the forces of a field of forces at Gauss's points. */
+template <int dim, bool serendipity>
+inline void
+add_from_points(const CellBatch &batch, Field<dim> &f, double *const forces)
 {
   constexpr int n_nodes = serendipity ? n_serendipity<dim> : n_points<dim>;
-  Field<dim> u, f;
-  read_on_grid<dim, serendipity>(batch, displacement, u);
-  for (int c = 0; c < dim; ++c)
-    to_points<dim>(u[c]);
-  if (batch.pressures != nullptr)
-    batch.is_uniform ? cell_residual<dim, true, true>(batch, u, f)
-                     : cell_residual<dim, false, true>(batch, u, f);
-  else
-    batch.is_uniform ? cell_residual<dim, true, false>(batch, u, f)
-                     : cell_residual<dim, false, false>(batch, u, f);
   for (int c = 0; c < dim; ++c)
     {
       to_nodes<dim>(f[c]);
@@ -230,6 +211,61 @@ apply(const CellBatch &batch,
         q2_to_serendipity_transpose<dim>(f[c]);
     }
   add<dim>(batch, n_nodes, f, forces);
+}
+
+
+
+template <int dim, bool serendipity>
+void
+apply(const CellBatch &batch,
+      const double *const displacement,
+      double *const forces)
+{
+  Field<dim> u, f;
+  read_at_points<dim, serendipity>(batch, displacement, u);
+  if (batch.tangent != nullptr)
+    tangent_residual<dim>(batch, u, f);
+  else if (batch.pressures != nullptr)
+    batch.is_uniform ? cell_residual<dim, true, true>(batch, u, f)
+                     : cell_residual<dim, false, true>(batch, u, f);
+  else
+    batch.is_uniform ? cell_residual<dim, true, false>(batch, u, f)
+                     : cell_residual<dim, false, false>(batch, u, f);
+  add_from_points<dim, serendipity>(batch, f, forces);
+}
+
+
+
+template <int dim, bool serendipity>
+void
+neo_hooke(const CellBatch &batch,
+          const NeoHookeState &state,
+          double *const forces,
+          double *const energies)
+{
+  Field<dim> x, u, f;
+  read_at_points<dim, serendipity>(batch, state.positions, x);
+  read_at_points<dim, serendipity>(batch, state.displacement, u);
+  neo_hooke_residual<dim>(batch, state.form, x, u, f, energies);
+  add_from_points<dim, serendipity>(batch, f, forces);
+}
+
+
+
+template <int dim, bool serendipity>
+void
+tangent(const CellBatch &batch,
+        const NeoHookeState &state,
+        const double *const before,
+        double *const result)
+{
+  Field<dim> x, u, from;
+  read_at_points<dim, serendipity>(batch, state.positions, x);
+  read_at_points<dim, serendipity>(batch, state.displacement, u);
+  if (before != nullptr)
+    read_at_points<dim, serendipity>(batch, before, from);
+  neo_hooke_tangent<dim>(
+    batch, state.form, x, u, before != nullptr ? &from : nullptr, result);
 }
 
 
@@ -256,98 +292,6 @@ displacement_gradients(const CellBatch &batch,
 }
 
 
-/** Functions' gradients at a point, times the root of weight and volume. */
-template <int dim, bool uniform>
-inline void
-function_gradients(const Gradients<dim, uniform> gradients,
-                   const double *const reference,
-                   const int n_functions,
-                   const int q,
-                   Lanes (*const g)[dim])
-{
-  for (int a = 0; a < n_functions; ++a)
-    for (int d = 0; d < dim; ++d)
-      {
-        g[a][d] = Lanes{};
-        for (int r = 0; r < dim; ++r)
-          g[a][d] +=
-            reference[(q * n_functions + a) * dim + r] * gradients(q, r, d);
-      }
-}
-
-
-
-/** What two functions' gradients give at one point, but for the dilatation. */
-template <int dim>
-inline Lanes
-distortion(const Lanes (&g)[dim],
-           const Lanes (&h)[dim],
-           const int c,
-           const int d)
-{
-  Lanes sum = g[d] * h[c];
-  if (c == d)
-    for (int e = 0; e < dim; ++e)
-      sum += g[e] * h[e];
-  return sum;
-}
-
-
-
-template <int dim, bool uniform>
-void
-integrate(const CellBatch &batch,
-          const double *const reference,
-          const int n_functions,
-          const bool diagonal,
-          Lanes *const matrix)
-{
-  const Gradients<dim, uniform> gradients{batch.gradients};
-  const Lanes lambda   = reinterpret_cast<const Lanes *>(batch.moduli)[0];
-  const Lanes mu       = reinterpret_cast<const Lanes *>(batch.moduli)[1];
-  const auto *pressure = reinterpret_cast<const Lanes *>(batch.pressures);
-  const int n          = n_functions * dim;
-  for (int i = 0; i < (diagonal ? n : n * n); ++i)
-    matrix[i] = Lanes{};
-  Lanes g[n_points<dim>][dim], moments[n_points<dim>][dim][dim + 1] = {};
-
-  for (int q = 0; q < n_points<dim>; ++q)
-    {
-      function_gradients<dim, uniform>(gradients, reference, n_functions, q, g);
-      if (pressure != nullptr)
-        for (int a = 0; a < n_functions; ++a)
-          for (int c = 0; c < dim; ++c)
-            for (int k = 0; k <= dim; ++k)
-              moments[a][c][k] += pressure[q * (dim + 1) + k] * g[a][c];
-      const Lanes direct = pressure != nullptr ? Lanes{} : lambda;
-      for (int a = 0; a < n_functions; ++a)
-        for (int c = 0; c < dim; ++c)
-          if (diagonal)
-            matrix[a * dim + c] += direct * g[a][c] * g[a][c] +
-                                   mu * distortion<dim>(g[a], g[a], c, c);
-          else
-            for (int b = 0; b < n_functions; ++b)
-              for (int d = 0; d < dim; ++d)
-                matrix[(a * dim + c) * n + b * dim + d] +=
-                  direct * g[a][c] * g[b][d] +
-                  mu * distortion<dim>(g[a], g[b], c, d);
-    }
-  if (pressure == nullptr)
-    return;
-  for (int a = 0; a < n_functions; ++a)
-    for (int c = 0; c < dim; ++c)
-      for (int k = 0; k <= dim; ++k)
-        if (diagonal)
-          matrix[a * dim + c] += lambda * moments[a][c][k] * moments[a][c][k];
-        else
-          for (int b = 0; b < n_functions; ++b)
-            for (int d = 0; d < dim; ++d)
-              matrix[(a * dim + c) * n + b * dim + d] +=
-                lambda * moments[a][c][k] * moments[b][d][k];
-}
-
-
-
 template <int dim>
 void
 integrate(const CellBatch &batch,
@@ -356,8 +300,9 @@ integrate(const CellBatch &batch,
           const bool diagonal,
           double *const matrix)
 {
-  const auto of_shape =
-    batch.is_uniform ? integrate<dim, true> : integrate<dim, false>;
+  const auto of_shape = batch.tangent != nullptr ? integrate_tangent<dim>
+                        : batch.is_uniform       ? integrate<dim, true>
+                                                 : integrate<dim, false>;
   of_shape(
     batch, gradients, n_functions, diagonal, reinterpret_cast<Lanes *>(matrix));
 }
@@ -377,7 +322,11 @@ kernel()
                                            apply<dim, false>,
                                            displacement_gradients<dim, true>,
                                            displacement_gradients<dim, false>,
-                                           integrate<dim>};
+                                           integrate<dim>,
+                                           neo_hooke<dim, true>,
+                                           neo_hooke<dim, false>,
+                                           tangent<dim, true>,
+                                           tangent<dim, false>};
   return kernel;
 }
 

@@ -155,9 +155,9 @@ add_pressure(const double p,
 
 
 
-NeoHooke::NeoHooke(const Hooke &at_rest, const VolumetricEnergy::Form form)
-  : mu(at_rest.mu)
-  , volumetric(form, at_rest.lambda)
+NeoHooke::NeoHooke(const Hooke &at_rest, const VolumetricForm volumetric)
+  : at_rest(at_rest)
+  , form({volumetric, false})
 {
 }
 
@@ -166,17 +166,16 @@ NeoHooke::NeoHooke(const Hooke &at_rest, const VolumetricEnergy::Form form)
 StrainEnergy
 NeoHooke::at(const SymmetricTensor<2, 3> &C) const
 {
-  const double J = std::sqrt(determinant(C));
+  const auto one     = unit_symmetric_tensor<3>();
+  const auto inverse = invert(C);
+  const double J     = std::sqrt(determinant(C));
+  const auto terms   = neo_hooke_terms<double>(
+    form, at_rest.mu, at_rest.lambda, J, std::log(J), 1, trace(C));
   StrainEnergy energy;
-  energy.value =
-    mu / 2 * (trace(C) - 3) - mu * std::log(J) + volumetric.value(J);
-  energy.stress = mu * unit_symmetric_tensor<3>();
-  // - mu ln J is an energy of the volume, too.
-  add_pressure(volumetric.derivative(J) - mu / J,
-               volumetric.second_derivative(J) + mu / (J * J),
-               J,
-               invert(C),
-               energy);
+  energy.value   = terms.energy;
+  energy.stress  = terms.one * one + terms.inverse * inverse;
+  energy.tangent = terms.square * outer_product(inverse, inverse) -
+                   2 * terms.inverse * symmetric_square(inverse);
   return energy;
 }
 

@@ -52,6 +52,7 @@ CellBatches<dim>::CellBatches(const Discretization<dim> &discretization,
             }
         append(batch, geometry);
       }
+  find_forms();
   set_partitioner(discretization.relevant);
 }
 
@@ -162,13 +163,16 @@ CellBatches<dim>::partitioner() const
 
 template <int dim>
 void
-CellBatches<dim>::apply(const Vector &displacement, Vector &forces) const
+CellBatches<dim>::apply(const Vector &displacement,
+                        Vector &forces,
+                        const Tangent *const tangent) const
 {
   const auto apply_batch = discretization.type == ElementType::serendipity
                              ? kernel.apply_serendipity
                              : kernel.apply_quadratic;
   for (unsigned int batch = 0; batch < size(); ++batch)
-    apply_batch((*this)[batch], displacement.begin(), forces.begin());
+    apply_batch(
+      with_tangent(batch, tangent), displacement.begin(), forces.begin());
 }
 
 
@@ -246,6 +250,19 @@ CellBatches<dim>::operator[](const unsigned int batch) const
   view.pressures  = geometry.is_mixed ? geometry.pressures.data() : nullptr;
   view.is_uniform = geometry.is_uniform;
   view.n_cells    = n_cells_of_batch[batch];
+  return view;
+}
+
+
+
+template <int dim>
+CellBatch
+CellBatches<dim>::with_tangent(const unsigned int batch,
+                               const Tangent *const tangent) const
+{
+  CellBatch view = (*this)[batch];
+  if (tangent != nullptr)
+    view.tangent = tangent->data() + batch * (tangent->size() / size());
   return view;
 }
 

@@ -6,6 +6,7 @@
 #include <setsudan/mechanics/elastic_model.h>
 #include <setsudan/mechanics/follower_pressure.h>
 #include <setsudan/mechanics/law_integration.h>
+#include <setsudan/mechanics/law_kernel.h>
 
 namespace Setsudan
 {
@@ -160,6 +161,8 @@ template <int dim>
 InternalForces
 evaluate_laws(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
+  if (has_law_kernel(model))
+    return evaluate_by_kernel(model, displacement);
   const LA::Vector u = model.discretization.with_ghosts(displacement);
   CellForces<dim> of_cell(model);
   InternalForces result;
@@ -234,6 +237,21 @@ assemble_tangent(const ElasticModel<dim> &model,
     {
       assemble_stiffness(
         model.discretization, model.stiffness, constraints, matrix);
+      return;
+    }
+  if (has_law_kernel(model))
+    {
+      TangentMatrices<dim> matrices(model,
+                                    tangent_by_kernel(model, linearization));
+      unsigned int number = 0;
+      assemble_matrix<dim>(
+        model.discretization,
+        [&](const auto &) -> const FullMatrix<double> & {
+          // The batches have the cells in this order.
+          return matrices(number++);
+        },
+        constraints,
+        matrix);
       return;
     }
   const LA::Vector u      = with_ghosts(model, linearization.about);

@@ -34,6 +34,7 @@ namespace
  * @param mean_stress of a mixed material. */
 SymmetricTensor<2, 3>
 cauchy_stress(const HyperelasticLaw &law,
+              const Hooke &at_rest,
               const Tensor<2, 3> &gradient,
               const std::optional<double> &mean_stress)
 {
@@ -43,6 +44,22 @@ cauchy_stress(const HyperelasticLaw &law,
   if (!(J > 0))
     return std::numeric_limits<double>::quiet_NaN() *
            unit_symmetric_tensor<3>();
+  if (const auto form = law.neo_hooke(); form && !mean_stress)
+    {
+      // The same, without the tangent.
+      const auto &[lambda, mu] = at_rest;
+      const auto terms         = neo_hooke_terms<double>(
+        *form,
+        mu,
+        form->is_isochoric ? lambda + 2. / 3 * mu : lambda,
+        J,
+        std::log(J),
+        std::pow(J, -2. / 3),
+        trace(C));
+      return (terms.one * symmetrize(F * transpose(F)) +
+              terms.inverse * unit_symmetric_tensor<3>()) /
+             J;
+    }
   const auto S =
     mean_stress ? law.decoupled()->distortion(C).stress : law.at(C).stress;
   auto stress = symmetrize(F * S * transpose(F)) / J;
@@ -62,6 +79,7 @@ stress_of(const Material &material,
 {
   if (const auto *const law = material.law->hyperelastic())
     return cauchy_stress(*law,
+                         material.at_rest,
                          in_space(gradient),
                          material.is_mixed ? of_cell(position)
                                            : std::optional<double>());

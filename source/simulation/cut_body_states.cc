@@ -80,8 +80,6 @@ template <int dim>
 Choice<CutStrategy>
 CutBody<dim>::cut_strategy() const
 {
-  if (!present_model->is_linear())
-    return {CutStrategy::row_by_row, "since the material is not linear"};
   CutSize size;
   if (newest_seam && !is_finished)
     size = {static_cast<unsigned int>(newest_seam->rows().size()),
@@ -93,6 +91,9 @@ CutBody<dim>::cut_strategy() const
       size.has_contact = size.has_foundation = true;
       size.n_interface_unknowns += dim * present_board->corners().size();
     }
+  if (!present_model->is_linear())
+    return choose_nonlinear_cut_strategy(
+      *present_model, the_scene.solver, size);
   return choose_cut_strategy(
     the_scene.solver, size_of(present_model->discretization), size);
 }
@@ -135,7 +136,7 @@ template <int dim>
 std::optional<CutStages>
 CutBody<dim>::stages() const
 {
-  if (has_single_states || cut_strategy().kind != CutStrategy::condensed)
+  if (has_single_states || cut_strategy().kind == CutStrategy::row_by_row)
     return {};
   CutStages stages;
   stages.n_rows = newest_seam ? newest_seam->rows().size() : 0;

@@ -160,13 +160,23 @@ describe_solve(const CutBody<dim> &body)
   const auto strategy = body.cut_strategy();
   const std::string each =
     body.scene().has_contact() ? "with each force of contact, " : "";
-  return (strategy.kind == CutStrategy::condensed
-            ? "  all rows are solved from one factorization (CHOLMOD), "
-              "condensed "
-              "onto the cut, "
-            : "  every row is solved anew, " + each +
-                description(body.solver_choice().kind) + ", ") +
-         strategy.reason + ".";
+  std::string way;
+  switch (strategy.kind)
+    {
+      case CutStrategy::condensed:
+        way = "all rows are solved from one factorization (CHOLMOD), condensed "
+              "onto the cut";
+        break;
+      case CutStrategy::preconditioned:
+        way = "all rows are solved by conjugate gradients in Newton's method, "
+              "preconditioned by one factorization (CHOLMOD) of the body at "
+              "rest";
+        break;
+      case CutStrategy::row_by_row:
+        way = "every row is solved anew, " + each +
+              description(body.solver_choice().kind);
+    }
+  return "  " + way + ", " + strategy.reason + ".";
 }
 
 

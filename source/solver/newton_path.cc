@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/mechanics/law_kernel.h>
 #include <setsudan/parameters/exceptions.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/newton_path.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Setsudan
 {
@@ -23,7 +26,8 @@ NewtonPath<dim>::NewtonPath(const ElasticModel<dim> &model,
                             const SolverParameters &parameters,
                             const LA::Vector &forces,
                             const LA::Vector &lift,
-                            const LA::Vector &start)
+                            const LA::Vector &start,
+                            std::shared_ptr<CondensedSolver<dim>> factor)
   : model(model)
   , constraints(constraints)
   , parameters(parameters)
@@ -34,7 +38,12 @@ NewtonPath<dim>::NewtonPath(const ElasticModel<dim> &model,
            constraints,
            parameters,
            choose_assembled(parameters, size_of(model.discretization)))
+  , is_small(choose_tangent_solver(model, parameters) !=
+             SolverKind::matrix_free)
 {
+  if (factor || !is_small)
+    iteration = std::make_unique<TangentIteration<dim>>(
+      model, constraints, parameters, std::move(factor));
   first.displacement = start;
   first.internal     = evaluate_laws(model, start);
   lacking_forces -= first.internal.forces;
@@ -103,20 +112,53 @@ NewtonPath<dim>::is_solved(const NewtonIterate &now,
 
 template <int dim>
 LA::Vector
-NewtonPath<dim>::step(const Linearization &linearization,
-                      const LA::Vector &residual,
-                      const bool may_be_indefinite)
+NewtonPath<dim>::definite_step(const Linearization &linearization,
+                               const LA::Vector &residual,
+                               const double tolerance)
 {
   const LA::Vector zero = model.discretization.zero_vector();
-  last_was_definite     = true;
+  if (iteration)
+    try
+      {
+        iteration->linearize(linearization, tolerance);
+        return iteration->increment(residual, zero, quality);
+      }
+    catch (const NotDefiniteError &)
+      {
+        throw;
+      }
+    catch (const SolverError &)
+      {
+        iteration.reset();
+      }
+  solver.linearize(linearization);
+  return solver.increment(residual, zero, quality);
+}
+
+
+
+template <int dim>
+LA::Vector
+NewtonPath<dim>::step(const Linearization &linearization,
+                      const LA::Vector &residual,
+                      const double relative_residual,
+                      const bool may_be_indefinite)
+{
+  // A step squares the residual at best, and no more is asked of the linear
+  // solve (Eisenstat and Walker 1996, SIAM Journal on Scientific Computing 17,
+  // 16-32); nor more than the last step needs.
+  const double wanted = parameters.tolerance / (4 * relative_residual);
+  const double tolerance =
+    std::max(wanted, std::min(1e-2, relative_residual / 10));
+  last_was_definite = true;
   try
     {
-      solver.linearize(linearization);
-      return solver.increment(residual, zero, quality);
+      return definite_step(linearization, residual, tolerance);
     }
   catch (const NotDefiniteError &)
     {
-      if (!may_be_indefinite)
+      // To factor L D L^T of a large body takes longer than to halve the part.
+      if (!may_be_indefinite || !is_small)
         throw;
     }
   last_was_definite = false;
@@ -124,7 +166,8 @@ NewtonPath<dim>::step(const Linearization &linearization,
     indefinite_solver = std::make_unique<AssembledSolver<dim>>(
       model, constraints, parameters, SolverKind::indefinite);
   indefinite_solver->linearize(linearization);
-  return indefinite_solver->increment(residual, zero, quality);
+  return indefinite_solver->increment(
+    residual, model.discretization.zero_vector(), quality);
 }
 
 
@@ -133,9 +176,16 @@ template <int dim>
 bool
 NewtonPath<dim>::is_stable(const LA::Vector &displacement)
 {
+  // To an iteration only what it meets shows: forces that have something of
+  // every eigenvector, and for most of which symmetry is no excuse.
+  constexpr double accuracy = 1e-3;
+  LA::Vector forces         = model.discretization.zero_vector();
+  for (const auto index : model.discretization.owned)
+    forces(index) = 1 + std::sin(1. + index);
+  forces.compress(VectorOperation::insert);
   try
     {
-      solver.linearize({&displacement});
+      definite_step({&displacement}, forces, accuracy);
       return true;
     }
   catch (const NotDefiniteError &)
@@ -193,12 +243,12 @@ NewtonPath<dim>::go(const NewtonIterate &from,
   before.relative_residual = 1;
   LA::Vector displacement  = from.displacement;
   displacement += prescribed;
-  displacement += step({&from.displacement}, residual, extrapolates);
+  displacement += step({&from.displacement}, residual, 1, extrapolates);
   NewtonIterate now = evaluate(displacement, part);
   for (now.n_steps = 1; now.is_valid(); ++now.n_steps)
     {
       if (is_solved(now, before))
-        return last_was_definite || is_stable(now.displacement)
+        return (last_was_definite && !iteration) || is_stable(now.displacement)
                  ? now
                  : std::optional<NewtonIterate>();
       if (now.n_steps == most)
@@ -206,6 +256,7 @@ NewtonPath<dim>::go(const NewtonIterate &from,
       const LA::Vector increment =
         step({&now.displacement, extrapolates ? &before.displacement : nullptr},
              now.residual,
+             now.relative_residual,
              extrapolates);
       auto next = extrapolates ? std::nullopt : search(now, increment, part);
       if (extrapolates)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/parameters/exceptions.h>
+#include <setsudan/solver/condensed/condensed_solver.h>
 #include <setsudan/solver/newton_path.h>
 #include <setsudan/solver/newton_solver.h>
 #include <setsudan/solver/no_equilibrium.h>
@@ -55,10 +56,12 @@ try_part(const ElasticModel<dim> &model,
 template <int dim>
 NewtonSolver<dim>::NewtonSolver(const ElasticModel<dim> &model,
                                 std::shared_ptr<const Constraints> constraints,
-                                const SolverParameters &parameters)
+                                const SolverParameters &parameters,
+                                std::shared_ptr<CondensedSolver<dim>> factor)
   : model(model)
   , constraints(std::move(constraints))
   , parameters(parameters)
+  , factor(std::move(factor))
 {
 }
 
@@ -70,7 +73,14 @@ NewtonSolver<dim>::solve(const LA::Vector &forces,
                          const LA::Vector &lift,
                          const LA::Vector &start)
 {
-  NewtonPath<dim> path(model, *constraints, parameters, forces, lift, start);
+  NewtonPath<dim> path(
+    model,
+    *constraints,
+    parameters,
+    forces,
+    lift,
+    start,
+    factor && factor->set_constraints(constraints) ? factor : nullptr);
   NewtonIterate last   = path.beginning();
   unsigned int n_steps = 0;
   std::optional<SolverError> failure;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/mpi.h>
 
+#include <setsudan/mechanics/law_kernel.h>
 #include <setsudan/solver/solver_choice.h>
 
 namespace Setsudan
@@ -17,6 +18,11 @@ constexpr dealii::types::global_dof_index most_condensed_unknowns = 200000;
 constexpr double most_interface_memory = 4e9;
 // With fewer rows the second factorization does not pay.
 constexpr unsigned int fewest_condensed_rows = 3;
+
+// With a larger one the factor of the body at rest is a poor preconditioner of
+// the tangent: the volume resists more than all else, and in other directions
+// once the body has moved.
+constexpr double largest_poissons_ratio_at_rest = 0.3;
 
 SolverKind
 direct_kind(const SystemSize &size)
@@ -103,6 +109,19 @@ choose_solver(const SolverParameters &parameters, const SystemSize &size)
 
 
 
+template <int dim>
+SolverKind
+choose_tangent_solver(const ElasticModel<dim> &model,
+                      const SolverParameters &parameters)
+{
+  const SystemSize size = size_of(model.discretization);
+  return parameters.is_direct(size.n_unknowns) || !has_law_kernel(model)
+           ? choose_assembled(parameters, size)
+           : SolverKind::matrix_free;
+}
+
+
+
 SolverKind
 choose_fallback(const SystemSize &size)
 {
@@ -144,6 +163,26 @@ choose_cut_strategy(const SolverParameters &parameters,
 
 
 
+template <int dim>
+Choice<CutStrategy>
+choose_nonlinear_cut_strategy(const ElasticModel<dim> &model,
+                              const SolverParameters &parameters,
+                              const CutSize &cut)
+{
+  if (cut.has_contact || !has_law_kernel(model))
+    return row_by_row("since the material is not linear");
+  for (const auto &material : model.materials.all())
+    if (material.at_rest.poissons_ratio() > largest_poissons_ratio_at_rest)
+      return row_by_row("since Poisson's ratio exceeds 0.3");
+  const auto choice =
+    choose_cut_strategy(parameters, size_of(model.discretization), cut);
+  if (choice.kind == CutStrategy::condensed)
+    return {CutStrategy::preconditioned, choice.reason};
+  return choice;
+}
+
+
+
 std::string
 description(const SolverKind kind)
 {
@@ -170,4 +209,16 @@ template SystemSize
 size_of(const Discretization<2> &);
 template SystemSize
 size_of(const Discretization<3> &);
+template Choice<CutStrategy>
+choose_nonlinear_cut_strategy(const ElasticModel<2> &,
+                              const SolverParameters &,
+                              const CutSize &);
+template Choice<CutStrategy>
+choose_nonlinear_cut_strategy(const ElasticModel<3> &,
+                              const SolverParameters &,
+                              const CutSize &);
+template SolverKind
+choose_tangent_solver(const ElasticModel<2> &, const SolverParameters &);
+template SolverKind
+choose_tangent_solver(const ElasticModel<3> &, const SolverParameters &);
 } // namespace Setsudan

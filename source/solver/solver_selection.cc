@@ -49,8 +49,9 @@ SolverSelection<dim>::choice(const ElasticModel<dim> &model) const
 {
   const SystemSize size = size_of(model.discretization);
   if (!model.is_linear())
-    return {choose_assembled(parameters, size),
-            "in each step of Newton's method"};
+    return {choose_tangent_solver(model, parameters),
+            "in each step of Newton's method, " +
+              choose_solver(parameters, size).reason};
   const auto chosen = choose_solver(parameters, size);
   if (chosen.kind == SolverKind::matrix_free && has_fallen_back)
     return {choose_fallback(size), "since multigrid has failed"};
@@ -86,11 +87,11 @@ SolverSelection<dim>::solver(const ElasticModel<dim> &model,
                              std::shared_ptr<const Constraints> constraints,
                              const CutStages *stages)
 {
-  if (!model.is_linear())
-    return std::make_shared<NewtonSolver<dim>>(
-      model, std::move(constraints), parameters);
   if (stages != nullptr && !condensed)
     condensed = condense(model, *stages);
+  if (!model.is_linear())
+    return std::make_shared<NewtonSolver<dim>>(
+      model, std::move(constraints), parameters, condensed);
   if (condensed && condensed->set_constraints(constraints))
     return condensed;
   condensed.reset();

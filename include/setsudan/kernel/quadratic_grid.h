@@ -236,6 +236,22 @@ reference_gradient(const Field<dim> &u,
                          derivative[at][2] * u[c][first + 2 * stride];
     }
 }
+
+
+
+/** The transpose for one entry of the gradient: add the forces of what is
+ * dual to it at a point. */
+template <int dim>
+inline void
+add_flux(Field<dim> &f, const int point, const int r, const int c, Lanes flux)
+{
+  const int stride = stride_of[r];
+  const int at     = (point / stride) % 3;
+  const int first  = point - at * stride;
+  for (int i = 0; i < 3; ++i)
+    if (derivative[at][i] != 0)
+      f[c][first + i * stride] += derivative[at][i] * flux;
+}
 } // namespace
 } // namespace SETSUDAN_KIND
 } // namespace Setsudan

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/kernel/neo_hooke.h>
+
 namespace Setsudan
 {
 /**
@@ -40,6 +42,24 @@ struct CellBatch
   /** The gradients of the batch that comes next, which are fetched meanwhile;
    * nothing where they are the same or there is none. */
   const double *next_gradients;
+
+  /** Of a tangent in its place, the symmetric matrix of the components of
+   * gradients in reference coordinates, times g = sqrt(3/5) in each:
+   * [point][row by row of one half][lane]. Nothing for Hooke's law. */
+  const double *tangent = nullptr;
+};
+
+/** The entries of CellBatch::tangent at a point. */
+template <int dim>
+constexpr unsigned int n_in_tangent = dim *dim *(dim *dim + 1) / 2;
+
+/** A deformed body of neo-Hookean cells. */
+struct NeoHookeState
+{
+  NeoHookeForm form;
+  /** Of the nodes at rest, and the displacement, like those of K u. */
+  const double *positions;
+  const double *displacement;
 };
 
 /**
@@ -58,7 +78,7 @@ struct StiffnessKernel
   unsigned int n_lanes;
 
   /**
-   * Add K u of a batch's cells to forces.
+   * Add K u of a batch's cells to forces; K is the tangent where there is one.
    *
    * Displacements are expanded to the 3^dim nodes of the full quadratic
    * element, which adds nothing but what the serendipity functions are at them;
@@ -92,7 +112,7 @@ struct StiffnessKernel
                               double *gradients);
 
   /**
-   * The stiffness that functions have.
+   * The stiffness that functions have, or the tangent.
    *
    * @param gradients of the functions in reference coordinates:
    *   [point][function][direction].
@@ -104,6 +124,38 @@ struct StiffnessKernel
                     unsigned int n_functions,
                     bool diagonal,
                     double *matrix);
+
+  /**
+   * Add the internal forces of neo-Hookean cells.
+   *
+   * @param energies of each lane; infinite where a volume is not positive, and
+   *   the forces have no meaning there.
+   */
+  void (*serendipity_neo_hooke)(const CellBatch &batch,
+                                const NeoHookeState &state,
+                                double *forces,
+                                double *energies);
+
+  /** The same for full quadratic elements. */
+  void (*quadratic_neo_hooke)(const CellBatch &batch,
+                              const NeoHookeState &state,
+                              double *forces,
+                              double *energies);
+
+  /** The tangent as CellBatch has it.
+   *
+   * @param before the displacement from which its stress is extrapolated (see
+   *   LawIntegration), or null. */
+  void (*serendipity_tangent)(const CellBatch &batch,
+                              const NeoHookeState &state,
+                              const double *before,
+                              double *tangent);
+
+  /** The same for full quadratic elements. */
+  void (*quadratic_tangent)(const CellBatch &batch,
+                            const NeoHookeState &state,
+                            const double *before,
+                            double *tangent);
 };
 
 /** The kernel for the processor that this is. */

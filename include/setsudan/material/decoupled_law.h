@@ -3,6 +3,7 @@
 
 #include <setsudan/material/hyperelastic_law.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +63,14 @@ public:
   name() const override
   {
     return c01 == 0 ? "isochoric neo-Hooke" : "Mooney-Rivlin";
+  }
+
+  std::optional<NeoHookeForm>
+  neo_hooke() const override
+  {
+    if (c01 != 0)
+      return {};
+    return NeoHookeForm{volumetric.form, true};
   }
 
 private:

@@ -6,6 +6,7 @@
 #include <setsudan/material/constitutive_law.h>
 #include <setsudan/material/volumetric_energy.h>
 
+#include <optional>
 #include <string>
 
 namespace Setsudan
@@ -42,6 +43,14 @@ public:
   decoupled() const
   {
     return nullptr;
+  }
+
+  /** What it is to the kernels, with the moduli at rest; nothing where they do
+   * not know it. */
+  virtual std::optional<NeoHookeForm>
+  neo_hooke() const
+  {
+    return {};
   }
 
   /** Where the volume is not positive the energy is infinite, and the stress is
@@ -81,7 +90,7 @@ add_pressure(const double p,
 class NeoHooke : public HyperelasticLaw
 {
 public:
-  NeoHooke(const Hooke &at_rest, const VolumetricEnergy::Form form);
+  NeoHooke(const Hooke &at_rest, const VolumetricForm volumetric);
 
   std::string
   name() const override
@@ -92,9 +101,15 @@ public:
   StrainEnergy
   at(const dealii::SymmetricTensor<2, 3> &C) const override;
 
+  std::optional<NeoHookeForm>
+  neo_hooke() const override
+  {
+    return form;
+  }
+
 private:
-  const double mu;
-  const VolumetricEnergy volumetric;
+  const Hooke at_rest;
+  const NeoHookeForm form;
 };
 
 /**

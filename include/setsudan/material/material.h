@@ -35,6 +35,12 @@ public:
     return mu * (3 * lambda + 2 * mu) / (lambda + mu);
   }
 
+  double
+  poissons_ratio() const
+  {
+    return lambda / (2 * (lambda + mu));
+  }
+
   /** Lamé's constants [force/area]. */
   const double lambda;
   const double mu;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/kernel/neo_hooke.h>
+
 namespace Setsudan
 {
 /** The energy U(J) that a change of volume stores, J being the volume over that
@@ -15,12 +17,7 @@ public:
    *   Rendus de l'Academie des Sciences 295, 423-426);
    * - quadratic:   (J - 1)^2 / 2, finite for J = 0;
    * - logarithmic: (ln J)^2 / 2, whose pressure falls again beyond J = e. */
-  enum class Form
-  {
-    ciarlet,
-    quadratic,
-    logarithmic
-  };
+  using Form = VolumetricForm;
 
   /** @param modulus [force/area]. */
   VolumetricEnergy(const Form form, const double modulus);
@@ -36,8 +33,9 @@ public:
   double
   second_derivative(const double J) const;
 
-private:
   const Form form;
+
+private:
   const double modulus;
 };
 } // namespace Setsudan

@@ -10,6 +10,7 @@
 #include <setsudan/space/cell_geometry.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Setsudan
@@ -28,6 +29,8 @@ public:
   using Cell        = typename Discretization<dim>::Cell;
   using Vector      = dealii::LinearAlgebra::distributed::Vector<double>;
   using Partitioner = dealii::Utilities::MPI::Partitioner;
+  /** Of all batches, one behind the other: see CellBatch::tangent. */
+  using Tangent = dealii::AlignedVector<double>;
 
   /** @param discretization must live as long. */
   CellBatches(const Discretization<dim> &discretization,
@@ -45,9 +48,30 @@ public:
   /** Add K u of this process's cells.
    *
    * @param displacement with ghosts up to date.
-   * @param forces       also of ghosts, not yet handed to their owners. */
+   * @param forces       also of ghosts, not yet handed to their owners.
+   * @param tangent      in the place of Hooke's law; or null. */
   void
-  apply(const Vector &displacement, Vector &forces) const;
+  apply(const Vector &displacement,
+        Vector &forces,
+        const Tangent *tangent = nullptr) const;
+
+  /** Whether the kernels know the laws of all cells under finite strain. */
+  bool
+  is_neo_hookean() const;
+
+  /** Add the internal forces of this process's cells, which are neo-Hookean;
+   * vectors as those of apply().
+   *
+   * @return the energy that they store, infinite where a volume is not
+   *   positive; the forces have no meaning there. */
+  double
+  add_neo_hooke(const Vector &displacement, Vector &forces);
+
+  /** The tangent about a displacement.
+   *
+   * @param before from which its stress is extrapolated, or null. */
+  std::shared_ptr<const Tangent>
+  tangent(const Vector &displacement, const Vector *before);
 
   /** A copy of this process's own part of a vector, with room for ghosts. */
   Vector
@@ -67,6 +91,10 @@ public:
   CellBatch
   operator[](const unsigned int batch) const;
 
+  /** The same with a tangent, or without where that is null. */
+  CellBatch
+  with_tangent(const unsigned int batch, const Tangent *tangent) const;
+
   /** Whether a batch has the shapes and the moduli of the one before. */
   bool
   same_as_previous(const unsigned int batch) const;
@@ -83,6 +111,10 @@ public:
 private:
   void
   set_partitioner(const dealii::IndexSet &ghosts);
+
+  /** Ask the materials for the laws that the kernels know. */
+  void
+  find_forms();
 
   using Numbers = dealii::AlignedVector<double>;
 
@@ -111,6 +143,8 @@ private:
   std::vector<unsigned int> n_cells_of_batch;
   std::vector<Cell> all_cells;
   Numbers moduli;
+  /** The laws of the batches; nothing where one of them is not known. */
+  std::optional<std::vector<NeoHookeForm>> forms;
   dealii::AlignedVector<unsigned int> nodes;
   std::unique_ptr<Vector> node_positions;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <setsudan/solver/assembled_solver.h>
+#include <setsudan/solver/tangent_iteration.h>
 
 #include <cmath>
 #include <memory>
@@ -49,13 +50,15 @@ public:
 
   /** All must live as long.
    *
-   * @param start of the way. */
+   * @param start  of the way.
+   * @param factor see TangentIteration. */
   NewtonPath(const ElasticModel<dim> &model,
              const Constraints &constraints,
              const SolverParameters &parameters,
              const LA::Vector &forces,
              const LA::Vector &lift,
-             const LA::Vector &start);
+             const LA::Vector &start,
+             std::shared_ptr<CondensedSolver<dim>> factor);
 
   /** The size of the internal forces there: what is left counts beside it. */
   double
@@ -108,13 +111,24 @@ private:
 
   /** Set the tangent, and solve with it.
    *
+   * @param relative_residual how far the state is from a solution.
    * @param may_be_indefinite whether that is no failure. */
   LA::Vector
   step(const Linearization &linearization,
        const LA::Vector &residual,
+       const double relative_residual,
        const bool may_be_indefinite);
 
-  /** Whether the exact tangent is positive definite. */
+  /** The same with a tangent that is positive definite.
+   *
+   * @throw NotDefiniteError where it is seen that it is not. */
+  LA::Vector
+  definite_step(const Linearization &linearization,
+                const LA::Vector &residual,
+                const double tolerance);
+
+  /** Whether the exact tangent is positive definite: a factor proves it, and an
+   * iteration finds no direction in which it is not. */
   bool
   is_stable(const LA::Vector &displacement);
 
@@ -129,6 +143,9 @@ private:
   /** That of the internal forces at the start. */
   double size_of_forces;
   AssembledSolver<dim> solver;
+  const bool is_small;
+  /** What is taken in its place, until it fails. */
+  std::unique_ptr<TangentIteration<dim>> iteration;
   /** Of matrices that are not definite; made where there are any. */
   std::unique_ptr<AssembledSolver<dim>> indefinite_solver;
   bool last_was_definite = true;

@@ -11,9 +11,13 @@
 
 namespace Setsudan
 {
+template <int dim>
+class CondensedSolver;
+
 /**
  * Solves F(u) = f for a body whose laws are not linear, by Newton's method with
- * the assembled tangent.
+ * the assembled tangent, or with conjugate gradients on one that is not
+ * assembled (TangentIteration).
  *
  * What has changed since the state that a solve starts from, loads, ties and
  * what is prescribed, is applied at once; where that fails, in parts: the
@@ -32,10 +36,14 @@ public:
   using Constraints = dealii::AffineConstraints<double>;
 
   /** @param model must live as long.
-   * @param constraints homogeneous and closed. */
+   * @param constraints homogeneous and closed.
+   * @param factor of the cut that the constraints belong to, with which
+   *   conjugate gradients are preconditioned (see TangentIteration); or
+   *   nothing. */
   NewtonSolver(const ElasticModel<dim> &model,
                std::shared_ptr<const Constraints> constraints,
-               const SolverParameters &parameters);
+               const SolverParameters &parameters,
+               std::shared_ptr<CondensedSolver<dim>> factor = nullptr);
 
   /**
    * As the base.
@@ -54,5 +62,6 @@ private:
   const ElasticModel<dim> &model;
   const std::shared_ptr<const Constraints> constraints;
   const SolverParameters parameters;
+  const std::shared_ptr<CondensedSolver<dim>> factor;
 };
 } // namespace Setsudan

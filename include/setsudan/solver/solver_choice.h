@@ -9,6 +9,9 @@
 
 namespace Setsudan
 {
+template <int dim>
+struct ElasticModel;
+
 /** How the equations of one state are solved. */
 enum class SolverKind
 {
@@ -30,7 +33,10 @@ enum class CutStrategy
   /** All from one factorization, condensed onto the cut. */
   condensed,
   /** Each by a solve of its own. */
-  row_by_row
+  row_by_row,
+  /** Each by Newton's method, with conjugate gradients that one factorization
+   * of the body at rest preconditions. */
+  preconditioned
 };
 
 /** A choice, and why it was made: words that follow it on the screen. */
@@ -72,6 +78,12 @@ choose_solver(const SolverParameters &parameters, const SystemSize &size);
 SolverKind
 choose_assembled(const SolverParameters &parameters, const SystemSize &size);
 
+/** The kind with which steps of Newton's method are solved. */
+template <int dim>
+SolverKind
+choose_tangent_solver(const ElasticModel<dim> &model,
+                      const SolverParameters &parameters);
+
 /** The kind from where SolverKind::matrix_free has failed on. */
 SolverKind
 choose_fallback(const SystemSize &size);
@@ -80,6 +92,13 @@ Choice<CutStrategy>
 choose_cut_strategy(const SolverParameters &parameters,
                     const SystemSize &size,
                     const CutSize &cut);
+
+/** The same of a body whose laws are not linear. */
+template <int dim>
+Choice<CutStrategy>
+choose_nonlinear_cut_strategy(const ElasticModel<dim> &model,
+                              const SolverParameters &parameters,
+                              const CutSize &cut);
 
 /** Where multigrid takes more iterations, other solvers take less time. */
 inline constexpr unsigned int most_multigrid_iterations = 500;

@@ -2,6 +2,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <setsudan/mechanics/cell_batches.h>
+#include <setsudan/mechanics/strain_and_stress.h>
 #include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/mechanics/stress/grid_gradients.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace Setsudan
 {
@@ -90,16 +93,17 @@ find_extremes(const Discretization<dim> &discretization,
 
 namespace
 {
-/** Whether a place in a grid of 3^dim points is a node of a serendipity
- * element: it is in the middle in one direction at most. */
+/** Whether a place in a grid of 3^dim points is a node; of serendipity elements
+ * it is where it is in the middle in one direction at most. */
 template <int dim>
 bool
-is_serendipity_node(unsigned int place)
+is_node(const ElasticModel<dim> &model, unsigned int place)
 {
   unsigned int n_middles = 0;
   for (unsigned int d = 0; d < dim; ++d, place /= 3)
     n_middles += place % 3 == 1;
-  return n_middles <= 1;
+  return n_middles <= 1 ||
+         model.discretization.type != ElementType::serendipity;
 }
 
 
@@ -131,6 +135,38 @@ include_strain(const Tensor<2, dim> &gradient,
 
 
 
+/** The largest |sqrt(1 + x) - 1| of numbers x that are at most as large as a
+ * bound in magnitude. */
+double
+bound_of_stretch(const double bound)
+{
+  return bound < 1 ? 1 - std::sqrt(1 - bound)
+                   : std::max(1., std::sqrt(1 + bound) - 1);
+}
+
+
+
+/** The same under finite strain, in the displacement formulation. */
+template <int dim>
+void
+include_finite_strain(const Tensor<2, dim> &gradient,
+                      const Material &material,
+                      DeformationExtremes &extremes)
+{
+  const Tensor<2, dim> F = gradient + unit_symmetric_tensor<dim>();
+  const auto change =
+    symmetrize(transpose(F) * F) - unit_symmetric_tensor<dim>();
+  if (bound_of_stretch(change.norm()) > extremes.max_strain)
+    for (const double principal : eigenvalues(strain_of(material, gradient)))
+      extremes.max_strain = std::max(extremes.max_strain, std::abs(principal));
+  const auto stress     = stress_of(material, gradient, Point<dim>(), {});
+  const auto distortion = deviator(stress);
+  if (distortion * distortion > 2 * extremes.max_shear * extremes.max_shear)
+    extremes.max_shear = std::max(extremes.max_shear, maximum_shear(stress));
+}
+
+
+
 /** The largest displacement of this process's nodes. */
 template <int dim>
 double
@@ -155,28 +191,47 @@ largest_displacement(const LA::Vector &displacement)
 /** Let the cells of a batch count. */
 template <int dim>
 void
-include_batch(const GradientsOfBatch &gradients,
-              const bool serendipity,
+include_batch(const ElasticModel<dim> &model,
+              const GradientsOfBatch &gradients,
               DeformationExtremes &extremes)
 {
   constexpr unsigned int n_points = Utilities::pow(3, dim);
   const CellBatch &batch          = gradients.batch;
-  for (unsigned int p = 0; p < 2 * n_points; ++p)
+  for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
     {
-      const bool is_gauss_point = p >= n_points;
-      if (!is_gauss_point && serendipity && !is_serendipity_node<dim>(p))
-        continue;
-      for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
+      const Material &material =
+        model.materials.of_element(model.discretization.element(
+          model.batches().cells()[gradients.first_cell + lane]));
+      for (unsigned int p = 0; p < 2 * n_points; ++p)
         {
+          if (p < n_points && !is_node<dim>(model, p))
+            continue;
           const auto gradient = gradients.at<dim>(p, lane);
           extremes.min_jacobian =
             std::min(extremes.min_jacobian,
                      determinant(unit_symmetric_tensor<dim>() + gradient));
-          if (is_gauss_point)
+          if (p < n_points)
+            continue;
+          if (model.is_linear())
             include_strain(
               gradient, batch.moduli[gradients.n_lanes + lane], extremes);
+          else
+            include_finite_strain(gradient, material, extremes);
         }
     }
+}
+
+
+
+/** Whether gradients are all that strain and stress depend on, and are found
+ * in batches. */
+template <int dim>
+bool
+has_local_stress(const ElasticModel<dim> &model)
+{
+  return model.discretization.type != ElementType::linear &&
+         (model.is_linear() ||
+          (model.materials.finite_strain && !model.materials.any_is_mixed()));
 }
 } // namespace
 
@@ -186,21 +241,52 @@ DeformationExtremes
 find_extremes(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
   const auto &discretization = model.discretization;
-  if (discretization.type == ElementType::linear || !model.is_linear())
+  if (!has_local_stress(model))
     return find_extremes(discretization,
                          model.materials,
                          discretization.with_ghosts(displacement));
-  const bool serendipity = discretization.type == ElementType::serendipity;
-  auto u                 = model.batches().copy_in(displacement);
+  auto u = model.batches().copy_in(displacement);
   u.update_ghost_values();
   DeformationExtremes extremes;
   visit_gradients<dim>(model, u, [&](const GradientsOfBatch &gradients) {
-    include_batch<dim>(gradients, serendipity, extremes);
+    include_batch<dim>(model, gradients, extremes);
   });
   extremes.max_displacement = largest_displacement<dim>(displacement);
   return of_all(extremes, discretization.communicator);
 }
 
+
+
+namespace
+{
+/** The cell of this process with the smallest determinant of the deformation
+ * gradient at a node; none where it has no cells. */
+template <int dim>
+std::optional<typename Discretization<dim>::Cell>
+most_pressed_cell(const ElasticModel<dim> &model,
+                  const LA::Vector &displacement)
+{
+  auto u = model.batches().copy_in(displacement);
+  u.update_ghost_values();
+  double smallest = std::numeric_limits<double>::infinity();
+  std::optional<unsigned int> number;
+  visit_gradients<dim>(model, u, [&](const GradientsOfBatch &gradients) {
+    for (unsigned int p = 0; p < Utilities::pow(3, dim); ++p)
+      if (is_node<dim>(model, p))
+        for (unsigned int lane = 0; lane < gradients.batch.n_cells; ++lane)
+          if (const double ratio = determinant(unit_symmetric_tensor<dim>() +
+                                               gradients.at<dim>(p, lane));
+              !(ratio >= smallest))
+            {
+              smallest = ratio;
+              number   = gradients.first_cell + lane;
+            }
+  });
+  if (!number)
+    return {};
+  return model.batches().cells()[*number];
+}
+} // namespace
 
 
 template <int dim>
@@ -213,16 +299,23 @@ find_smallest_volume(const ElasticModel<dim> &model,
   StressEvaluator<dim> at_nodes(
     discretization, model.materials, node_points(discretization));
   SmallestVolume<dim> smallest;
-  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        at_nodes.reinit(cell, u);
-        for (unsigned int p = 0; p < at_nodes.n_points(); ++p)
-          if (const double ratio = determinant(unit_symmetric_tensor<dim>() +
-                                               at_nodes.gradient(p));
-              ratio < smallest.ratio)
-            smallest = {ratio, discretization.element(cell), at_nodes.point(p)};
-      }
+  const auto include = [&](const auto &cell) {
+    at_nodes.reinit(cell, u);
+    for (unsigned int p = 0; p < at_nodes.n_points(); ++p)
+      if (const double ratio =
+            determinant(unit_symmetric_tensor<dim>() + at_nodes.gradient(p));
+          ratio < smallest.ratio)
+        smallest = {ratio, discretization.element(cell), at_nodes.point(p)};
+  };
+  if (discretization.type != ElementType::linear)
+    {
+      if (const auto cell = most_pressed_cell(model, displacement))
+        include(*cell);
+    }
+  else
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        include(cell);
   const auto of_processes = Utilities::MPI::all_gather(
     discretization.communicator,
     std::make_pair(smallest.ratio,

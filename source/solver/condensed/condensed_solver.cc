@@ -292,7 +292,7 @@ CondensedSolver<dim>::solve(const LA::Vector &forces,
     return condense(*constraints, residual).l2_norm();
   };
   system.correction = [&](const LA::Vector &residual) {
-    return recover(solve_interface(condense(*base, residual), {}, false));
+    return correction(condense(*base, residual));
   };
   LA::Vector lift_off_cut = lift;
   const auto opening      = take_opening(lift_off_cut);
@@ -316,6 +316,15 @@ CondensedSolver<dim>::solve(const LA::Vector &forces,
     solution.internal -= foundation_forces(x);
   solution.quality = check_quality(x, residual, scale, system);
   return solution;
+}
+
+
+
+template <int dim>
+LA::Vector
+CondensedSolver<dim>::correction(const LA::Vector &forces)
+{
+  return recover(solve_interface(forces, {}, false));
 }
 
 

@@ -80,7 +80,16 @@ CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
   common.postorder          = false;
   common.supernodal         = CHOLMOD_SUPERNODAL;
   workspace->factor         = cholmod_analyze(lower, &common);
-  const bool done           = workspace->factor != nullptr &&
+  factorize(lower);
+}
+
+
+
+void
+CholeskyFactor::factorize(cholmod_sparse *lower)
+{
+  auto &common    = workspace->common;
+  const bool done = workspace->factor != nullptr &&
                     cholmod_factorize(lower, workspace->factor, &common);
   const bool positive = common.status != CHOLMOD_NOT_POSDEF;
   cholmod_free_sparse(&lower, &common);
@@ -91,6 +100,15 @@ CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
   if (!done)
     throw SolverError(
       "The direct solver's factorization failed: memory ran out.");
+}
+
+
+
+void
+CholeskyFactor::update(const LA::SparseMatrix &matrix)
+{
+  Assert(matrix.m() == place.size(), dealii::ExcInternalError());
+  factorize(lower_triangle(matrix, place, order.size(), workspace->common));
 }
 
 

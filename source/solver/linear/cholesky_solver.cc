@@ -7,8 +7,16 @@ void
 CholeskySolver::initialize(const LA::SparseMatrix &matrix,
                            const std::vector<std::vector<double>> &)
 {
+  const std::pair<std::size_t, std::size_t> of_matrix(
+    matrix.m(), matrix.n_nonzero_elements());
+  if (factor && of_matrix == size)
+    {
+      factor->update(matrix);
+      return;
+    }
   factor.reset();
   factor = std::make_unique<CholeskyFactor>(matrix);
+  size   = of_matrix;
 }
 
 

@@ -13,9 +13,10 @@ template <int dim>
 CoarseCorrection<dim>::CoarseCorrection(
   const ElasticModel<dim> &model,
   const AffineConstraints<double> &constraints,
-  const LocalConstraints &lines)
+  const LocalConstraints &lines,
+  std::shared_ptr<const typename CellBatches<dim>::Tangent> tangent)
   : space(model, constraints, lines)
-  , stiffness(space.stiffness().matrix())
+  , stiffness(space.stiffness(std::move(tangent)).matrix())
   , coarse_forces(space.partitioner())
   , correction(space.partitioner())
 {

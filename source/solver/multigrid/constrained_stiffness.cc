@@ -12,9 +12,11 @@ template <int dim>
 ConstrainedStiffness<dim>::ConstrainedStiffness(
   const Discretization<dim> &discretization,
   const CellBatches<dim> &batches,
-  const LocalConstraints &lines)
+  const LocalConstraints &lines,
+  std::shared_ptr<const Tangent> tangent)
   : batches(batches)
   , lines(lines)
+  , tangent(std::move(tangent))
   , discretization(discretization)
   , displacement(batches.partitioner())
   , forces(batches.partitioner())
@@ -52,7 +54,7 @@ ConstrainedStiffness<dim>::vmult(Vector &result, const Vector &vector) const
   displacement.update_ghost_values();
   lines.distribute(displacement);
   forces = 0;
-  batches.apply(displacement, forces);
+  batches.apply(displacement, forces, tangent.get());
   lines.condense(forces);
   displacement.zero_out_ghost_values();
   forces.compress(VectorOperation::add);
@@ -76,8 +78,8 @@ ConstrainedStiffness<dim>::diagonal(Vector &result) const
   double *const values = forces.begin();
   for (unsigned int b = 0; b < batches.size(); ++b)
     {
-      const CellBatch batch = batches[b];
-      if (b == 0 || !batches.same_as_previous(b))
+      const CellBatch batch = batches.with_tangent(b, tangent.get());
+      if (tangent || !batches.same_as_previous(b))
         kernel.integrate(
           batch, gradients.data(), n_nodes, true, of_batch.data());
       for (unsigned int node = 0; node < n_nodes; ++node)

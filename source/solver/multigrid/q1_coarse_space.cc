@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/fe/fe_q.h>
 
+#include <setsudan/mechanics/law_kernel.h>
 #include <setsudan/solver/multigrid/q1_coarse_space.h>
 #include <setsudan/space/near_null_space.h>
 #include <setsudan/space/reference_gradients.h>
 
 #include <cmath>
+#include <optional>
 
 namespace Setsudan
 {
@@ -99,7 +101,8 @@ Q1CoarseSpace<dim>::restrict_forces(Vector &coarse, const Vector &fine) const
 
 template <int dim>
 BlockMatrixAssembler<dim>
-Q1CoarseSpace<dim>::stiffness() const
+Q1CoarseSpace<dim>::stiffness(
+  std::shared_ptr<const typename CellBatches<dim>::Tangent> tangent) const
 {
   constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_cell;
   const auto &kernel                = batches.kernel;
@@ -111,15 +114,23 @@ Q1CoarseSpace<dim>::stiffness() const
   BlockMatrixAssembler<dim> blocks(owned.first / dim,
                                    (owned.second - owned.first) / dim,
                                    model.discretization.communicator);
+  std::optional<TangentMatrices<dim>> of_tangent;
+  if (tangent)
+    of_tangent.emplace(model, tangent);
+  const MatrixOfCell matrix_of =
+    [&](const unsigned int cell) -> const FullMatrix<double> & {
+    return of_tangent ? (*of_tangent)(cell)
+                      : model.stiffness(batches.cells()[cell]);
+  };
   unsigned int first_cell = 0;
   for (unsigned int b = 0; b < batches.size(); ++b)
     {
-      const CellBatch batch = batches[b];
-      if (!batches.same_as_previous(b))
+      const CellBatch batch = batches.with_tangent(b, tangent.get());
+      if (tangent || !batches.same_as_previous(b))
         kernel.integrate(
           batch, gradients.data(), n_vertices, false, of_batch.data());
       for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
-        add_cell(first_cell + lane, lane, of_batch, blocks);
+        add_cell(first_cell + lane, lane, of_batch, matrix_of, blocks);
       first_cell += batch.n_cells;
     }
   blocks.finish();
@@ -133,6 +144,7 @@ void
 Q1CoarseSpace<dim>::add_cell(const unsigned int cell,
                              const unsigned int lane,
                              const AlignedVector<double> &of_batch,
+                             const MatrixOfCell &matrix_of,
                              BlockMatrixAssembler<dim> &blocks) const
 {
   constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_cell;
@@ -168,7 +180,7 @@ Q1CoarseSpace<dim>::add_cell(const unsigned int cell,
     }
   else
     {
-      const auto &matrix = model.stiffness(batches.cells()[cell]);
+      const auto &matrix = matrix_of(cell);
       const auto &fe     = model.discretization.fe;
       std::vector<unsigned int> unknown(rows_of_cell.size());
       for (unsigned int i = 0; i < rows_of_cell.size(); ++i)

@@ -60,6 +60,11 @@ public:
         const LA::Vector &lift,
         const LA::Vector &guess) override;
 
+  /** The displacement under condensed forces in the present stage, without
+   * iterative refinement. */
+  LA::Vector
+  correction(const LA::Vector &forces);
+
   /** The free unknowns of the interface in the present stage. */
   unsigned int
   n_free() const;

@@ -3,6 +3,8 @@
 
 #include <setsudan/space/linear_algebra.h>
 
+#include <cholmod.h>
+
 #include <memory>
 #include <vector>
 
@@ -39,6 +41,14 @@ public:
 
   ~CholeskyFactor();
 
+  /**
+   * Take another matrix with entries in the same places, in the same order of
+   * elimination.
+   *
+   * @throw NotDefiniteError as the constructor; another matrix may follow. */
+  void
+  update(const LA::SparseMatrix &matrix);
+
   /** A vector in the order of elimination. */
   std::vector<double>
   in_order(const LA::Vector &vector) const;
@@ -73,6 +83,9 @@ public:
 
 private:
   struct Workspace;
+
+  void
+  factorize(cholmod_sparse *lower);
 
   std::unique_ptr<Workspace> workspace;
   /** The unknown that is eliminated at each place. */

@@ -6,11 +6,13 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Setsudan
 {
-/** The supernodal Cholesky factorization of CHOLMOD, on one process. */
+/** The supernodal Cholesky factorization of CHOLMOD, on one process. The order
+ * of elimination is found once for all matrices with as many entries. */
 class CholeskySolver : public LinearSolver
 {
 public:
@@ -23,5 +25,7 @@ public:
 
 private:
   std::unique_ptr<CholeskyFactor> factor;
+  /** Unknowns, and entries, of the matrix that it is made for. */
+  std::pair<std::size_t, std::size_t> size;
 };
 } // namespace Setsudan

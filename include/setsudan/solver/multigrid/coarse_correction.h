@@ -21,10 +21,13 @@ class CoarseCorrection
 public:
   using Vector = typename CellBatches<dim>::Vector;
 
-  /** @param lines the constraints for the model's batches. */
+  /** @param lines the constraints for the model's batches.
+   * @param tangent in the place of the stiffness at rest; or null. */
   CoarseCorrection(const ElasticModel<dim> &model,
                    const dealii::AffineConstraints<double> &constraints,
-                   const LocalConstraints &lines);
+                   const LocalConstraints &lines,
+                   std::shared_ptr<const typename CellBatches<dim>::Tangent>
+                     tangent = nullptr);
 
   /** Whether the displacements of this space obey other constraints: whether
    * one of them does that has no symmetry. */

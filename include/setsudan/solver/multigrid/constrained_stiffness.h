@@ -6,6 +6,8 @@
 #include <setsudan/mechanics/cell_batches.h>
 #include <setsudan/solver/multigrid/local_constraints.h>
 
+#include <memory>
+
 namespace Setsudan
 {
 /** The stiffness of a body under homogeneous constraints, as an operator: the
@@ -14,12 +16,16 @@ template <int dim>
 class ConstrainedStiffness : public dealii::Subscriptor
 {
 public:
-  using Vector = typename CellBatches<dim>::Vector;
+  using Vector  = typename CellBatches<dim>::Vector;
+  using Tangent = typename CellBatches<dim>::Tangent;
 
-  /** Both must live as long, and the batches must keep their partitioner. */
+  /** Both must live as long, and the batches must keep their partitioner.
+   *
+   * @param tangent in the place of the stiffness at rest; or null. */
   ConstrainedStiffness(const Discretization<dim> &discretization,
                        const CellBatches<dim> &batches,
-                       const LocalConstraints &lines);
+                       const LocalConstraints &lines,
+                       std::shared_ptr<const Tangent> tangent = nullptr);
 
   void
   vmult(Vector &result, const Vector &vector) const;
@@ -41,6 +47,7 @@ public:
 
   const CellBatches<dim> &batches;
   const LocalConstraints &lines;
+  const std::shared_ptr<const Tangent> tangent;
 
 private:
   const Discretization<dim> &discretization;

@@ -6,6 +6,7 @@
 #include <setsudan/solver/multigrid/block_matrix_assembler.h>
 #include <setsudan/solver/multigrid/q1_interpolation.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -51,9 +52,12 @@ public:
   restrict_forces(Vector &coarse, const Vector &fine) const;
 
   /** The stiffness of this space: exactly that of the body for its
-   * displacements. */
+   * displacements.
+   *
+   * @param tangent in the place of that at rest; or null. */
   BlockMatrixAssembler<dim>
-  stiffness() const;
+  stiffness(std::shared_ptr<const typename CellBatches<dim>::Tangent> tangent =
+              nullptr) const;
 
   /** For each rigid motion its value in this process's unknowns. */
   std::vector<std::vector<double>>
@@ -65,12 +69,17 @@ private:
   void
   make_transfer();
 
+  using MatrixOfCell =
+    std::function<const dealii::FullMatrix<double> &(unsigned int cell)>;
+
   /** @param of_batch the stiffness that the vertices of this cell have in its
-   * batch if nothing is constrained. */
+   * batch if nothing is constrained.
+   * @param matrix_of that of all unknowns of a cell. */
   void
   add_cell(const unsigned int cell,
            const unsigned int lane,
            const dealii::AlignedVector<double> &of_batch,
+           const MatrixOfCell &matrix_of,
            BlockMatrixAssembler<dim> &blocks) const;
 
   /** Whether all nodes of a cell, in spite of constraints, are where its
