@@ -64,12 +64,18 @@ public:
     return c01 == 0 ? "isochoric neo-Hooke" : "Mooney-Rivlin";
   }
 
-private:
-  StrainEnergy
-  of_isochoric(const dealii::SymmetricTensor<2, 3> &C) const override;
+  bool
+  is_polyconvex() const override
+  {
+    return c01 == 0 && volumetric.is_convex();
+  }
 
   const double c10;
   const double c01;
+
+private:
+  StrainEnergy
+  of_isochoric(const dealii::SymmetricTensor<2, 3> &C) const override;
 };
 
 /**
@@ -83,12 +89,13 @@ private:
 class Ogden : public DecoupledLaw
 {
 public:
-  /** Ratios of mu_p to each other, which are scaled to mu, and alpha_p. */
+  /** mu_p and alpha_p. */
   using Terms = std::vector<std::pair<double, double>>;
 
+  /** @param ratios of mu_p to each other, which are scaled to mu. */
   Ogden(const Hooke &at_rest,
         const VolumetricEnergy::Form form,
-        const Terms &terms);
+        const Terms &ratios);
 
   std::string
   name() const override
@@ -96,10 +103,10 @@ public:
     return "Ogden";
   }
 
+  const Terms terms;
+
 private:
   StrainEnergy
   of_isochoric(const dealii::SymmetricTensor<2, 3> &C) const override;
-
-  Terms terms;
 };
 } // namespace Setsudan

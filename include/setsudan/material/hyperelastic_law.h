@@ -44,6 +44,14 @@ public:
     return nullptr;
   }
 
+  /** Whether the energy is polyconvex (Ball 1977, Archive for Rational
+   * Mechanics and Analysis 63, 337-403), so that no state loses ellipticity. */
+  virtual bool
+  is_polyconvex() const
+  {
+    return false;
+  }
+
   /** Where the volume is not positive the energy is infinite, and the stress is
    * not set. */
   MaterialResponse
@@ -87,6 +95,12 @@ public:
   name() const override
   {
     return "neo-Hooke";
+  }
+
+  bool
+  is_polyconvex() const override
+  {
+    return volumetric.is_convex();
   }
 
   StrainEnergy

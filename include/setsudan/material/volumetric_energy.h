@@ -25,6 +25,13 @@ public:
   /** @param modulus [force/area]. */
   VolumetricEnergy(const Form form, const double modulus);
 
+  /** Whether U is a convex function of J. */
+  bool
+  is_convex() const
+  {
+    return form != Form::logarithmic;
+  }
+
   /** U per volume at rest [force/area]. */
   double
   value(const double J) const;
@@ -36,7 +43,6 @@ public:
   double
   second_derivative(const double J) const;
 
-private:
   const Form form;
   const double modulus;
 };

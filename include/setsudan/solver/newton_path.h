@@ -57,7 +57,8 @@ public:
              const LA::Vector &lift,
              const LA::Vector &start);
 
-  /** The size of the internal forces there: what is left counts beside it. */
+  /** The size of the internal forces there, or of a small part of what the body
+   * resists the prescribed displacement with: what is left counts beside it. */
   double
   size_of_first_forces() const
   {
@@ -126,7 +127,7 @@ private:
   /** The residual at the start, and what is prescribed and lacking there. */
   LA::Vector lacking_forces;
   LA::Vector lacking_displacement;
-  /** That of the internal forces at the start. */
+  /** See size_of_first_forces(). */
   double size_of_forces;
   AssembledSolver<dim> solver;
   /** Of matrices that are not definite; made where there are any. */
