@@ -193,6 +193,26 @@ test_collapse()
 }
 
 
+/** A bar that is pulled to five times its length at once, of which linear
+ * theory would say that its sides have passed through each other. */
+void
+test_long_bar()
+{
+  const Loaded<3> loaded(
+    {"Body/Elements=1,1,1",
+     "Support/Fixed components=left : x; front : y; bottom : z",
+     "Support/Displacements=top : free, free, 40",
+     "Material/Poisson's ratio=0.3",
+     "Deformation/Strain=finite"});
+  const auto solution = loaded.solve(1);
+  double least        = 0;
+  for (const double u : solution.displacement)
+    least = std::min(least, u);
+  // The lateral stretch of Ciarlet's law.
+  check_below_on_all("pulled bar, sides", std::abs(least + 4.7083), 1e-3);
+}
+
+
 /** The displacement by which a body is turned about the origin. */
 LA::Vector
 turned(const ElasticModel<2> &model, const double angle)
@@ -260,6 +280,7 @@ main(int argc, char **argv)
                   6);
     test_unloading();
     test_collapse();
+    test_long_bar();
     test_rotation("0.2");
     test_rotation("0.4999999");
     // E I = 5 / 12 and L = 20: Euler's load is 0.00257.

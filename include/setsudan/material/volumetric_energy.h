@@ -25,11 +25,12 @@ public:
   /** @param modulus [force/area]. */
   VolumetricEnergy(const Form form, const double modulus);
 
-  /** Whether U is a convex function of J. */
+  /** Whether U is a convex function of J; with a negative modulus, as lambda is
+   * where Poisson's ratio is negative, it is not. */
   bool
   is_convex() const
   {
-    return form != Form::logarithmic;
+    return form != Form::logarithmic && modulus >= 0;
   }
 
   /** U per volume at rest [force/area]. */

@@ -149,15 +149,17 @@ describe_ellipticity(const ElasticModel<dim> &model,
     return text.str() + ")";
   };
   std::ostringstream text;
-  text << "the law " << model.materials.of_element(softest.element).law->name()
-       << (softest.ratio > 0 ? " has hardly any resistance left"
-                             : " has no resistance left (it has lost "
-                               "ellipticity)")
-       << " in element " << softest.element << " at " << rounded(softest.point)
-       << " to a band across " << rounded(softest.across)
-       << ": in such bands, as narrow as the elements are, a body collapses. "
-          "Of Material/Law neo-Hooke and isochoric neo-Hooke resist in any "
-          "state, unless Volumetric energy is logarithmic.";
+  text
+    << "the law " << model.materials.of_element(softest.element).law->name()
+    << (softest.ratio > 0 ? " has hardly any resistance left"
+                          : " has no resistance left (it has lost "
+                            "ellipticity)")
+    << " in element " << softest.element << " at " << rounded(softest.point)
+    << " to a band across " << rounded(softest.across)
+    << ": in such bands, as narrow as the elements are, a body collapses. "
+       "Of Material/Law isochoric neo-Hooke, and neo-Hooke where Poisson's "
+       "ratio is not negative, resist in any state, unless Volumetric energy "
+       "is logarithmic.";
   return text.str();
 }
 
