@@ -62,8 +62,10 @@ least_resistance(const Tensor<4, 3> &tangent, const Tensor<1, dim> &across)
       for (unsigned int j = 0; j < dim; ++j)
         for (unsigned int l = 0; l < dim; ++l)
           acoustic[i][k] += tangent[i][j][k][l] * across[j] * across[l];
-  const auto values = eigenvalues(acoustic);
-  return *std::min_element(values.begin(), values.end());
+  // Sorted, the largest first.
+  return eigenvectors(acoustic, SymmetricTensorEigenvectorMethod::jacobi)
+    .back()
+    .first;
 }
 
 
