@@ -90,18 +90,29 @@ MooneyRivlin::of_isochoric(const SymmetricTensor<2, 3> &C) const
 
 
 
-Ogden::Ogden(const Hooke &at_rest,
-             const VolumetricEnergy::Form form,
-             const Terms &ratios)
-  : DecoupledLaw(at_rest, form)
-  , terms(ratios)
+namespace
+{
+/** The terms whose moduli come to a shear modulus. */
+Ogden::Terms
+scaled(Ogden::Terms terms, const double mu)
 {
   double sum = 0;
-  for (const auto &[ratio, exponent] : ratios)
+  for (const auto &[ratio, exponent] : terms)
     sum += ratio * exponent / 2;
   Assert(sum > 0, ExcMessage("The ratios give no stiffness."));
   for (auto &term : terms)
     term.first *= mu / sum;
+  return terms;
+}
+} // namespace
+
+
+Ogden::Ogden(const Hooke &at_rest,
+             const VolumetricEnergy::Form form,
+             const Terms &ratios)
+  : DecoupledLaw(at_rest, form)
+  , terms(scaled(ratios, mu))
+{
 }
 
 

@@ -24,11 +24,14 @@ LawParameters::declare(ParameterHandler &handler)
                     "Deformation",
                     "Strain",
                     "small",
-                    Patterns::Selection("small|finite"),
+                    Patterns::Selection("small|finite|auto"),
                     "small: the linear theory of small strains and rotations, "
                     "in which a whole cut takes one factorization; finite: "
                     "large displacements, rotations and strains by Newton's "
-                    "method, with Material/Law.");
+                    "method, with Material/Law; auto: small until a principal "
+                    "strain exceeds Material/Linear range, which must be less "
+                    "than 1 then; this state is solved again with finite "
+                    "strain, and all behind it are.");
   Setsudan::declare(handler,
                     "Material",
                     "Law",
@@ -74,6 +77,18 @@ LawParameters::declare(ParameterHandler &handler)
 
 namespace
 {
+LawParameters::Strain
+read_strain(const Parameters &parameters)
+{
+  using Strain           = LawParameters::Strain;
+  const std::string name = parameters.text("Deformation", "Strain");
+  return name == "small"    ? Strain::small
+         : name == "finite" ? Strain::finite
+                            : Strain::automatic;
+}
+
+
+
 Ogden::Terms
 read_ogden_terms(const Parameters &parameters)
 {
@@ -106,8 +121,7 @@ read_ogden_terms(const Parameters &parameters)
 
 
 LawParameters::LawParameters(const Parameters &parameters)
-  : strain(parameters.text("Deformation", "Strain") == "finite" ? Strain::finite
-                                                                : Strain::small)
+  : strain(read_strain(parameters))
   , mooney_rivlin_share(parameters.number("Material", "Mooney-Rivlin share"))
   , ogden_terms(read_ogden_terms(parameters))
 {

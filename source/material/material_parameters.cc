@@ -60,7 +60,8 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "0.5",
                     Patterns::Double(),
                     "Largest principal strain, in magnitude, up to which the "
-                    "linear theory is trusted; beyond it the program warns. "
+                    "linear theory is trusted; beyond it the program warns, or "
+                    "takes finite strain where Deformation/Strain is auto. "
                     "Greater than 0 [-].");
 }
 
@@ -132,7 +133,14 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
            (formulation == "auto" && ratio >= mixed_from_ratio);
   };
   const LawParameters laws(parameters);
-  finite_strain = laws.strain == LawParameters::Strain::finite;
+  strain        = laws.strain;
+  finite_strain = strain == LawParameters::Strain::finite;
+  parameters.require(strain != LawParameters::Strain::automatic ||
+                       linear_range < 1,
+                     "Material",
+                     "Linear range",
+                     "a number less than 1 where Deformation/Strain is auto, "
+                     "since a body may be inside out beyond that");
   const auto names =
     read_names(parameters, body, "Law", "law", LawParameters::names());
   std::map<std::tuple<double, double, double, double, std::string>,
@@ -167,6 +175,13 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
     }
   if (materials.size() == 1)
     material_of_element.clear();
+  if (strain == LawParameters::Strain::automatic)
+    for (auto &material : materials)
+      {
+        laws_to_come.push_back(material.law);
+        material.law =
+          std::make_shared<const LinearElasticity>(material.at_rest);
+      }
 }
 
 
@@ -283,6 +298,20 @@ MaterialParameters<dim>::has_internal_variables() const
     materials.begin(), materials.end(), [](const Material &material) {
       return material.law->n_internal() > 0;
     });
+}
+
+
+
+template <int dim>
+void
+MaterialParameters<dim>::take_finite_strain()
+{
+  Assert(laws_to_come.size() == materials.size(),
+         ExcMessage("Strain is not small until it is finite."));
+  for (unsigned int m = 0; m < materials.size(); ++m)
+    materials[m].law = laws_to_come[m];
+  laws_to_come.clear();
+  finite_strain = true;
 }
 
 

@@ -79,7 +79,7 @@ checked_balance(const CutBody<dim> &body,
   };
   const LA::Vector of_wedge = forces_of_wedge(body, state);
   const double wedge        = sum_of_magnitudes(of_wedge);
-  const bool is_finite      = body.scene().material.finite_strain;
+  const bool is_finite      = body.model().materials.finite_strain;
   // As far as the blade ties the nodes that it keeps apart along its flanks, it
   // exerts moments about them.
   LA::Vector applied = all_forces(state);

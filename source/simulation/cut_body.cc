@@ -19,6 +19,7 @@ CutBody<dim>::CutBody(const Scene<dim> &scene,
                       const Refinement &refinement,
                       const MPI_Comm communicator)
   : the_scene(scene)
+  , materials(scene.material)
   , mpi_communicator(communicator)
   , the_refinement(refinement)
   , present_mesh(scene.body.mesh)
@@ -57,15 +58,15 @@ CutBody<dim>::rebuild()
                                         the_scene.body,
                                         the_scene.supports,
                                         the_scene.loads,
-                                        the_scene.material,
+                                        materials,
                                         mpi_communicator,
                                         the_scene.body_parameters.element_type);
   if (the_scene.board.is_given)
-    present_board = std::make_unique<BoardContacts<dim>>(
-      *present_model,
-      the_scene.board,
-      the_scene.material.smallest_youngs_modulus(),
-      present_mesh.extent());
+    present_board =
+      std::make_unique<BoardContacts<dim>>(*present_model,
+                                           the_scene.board,
+                                           materials.smallest_youngs_modulus(),
+                                           present_mesh.extent());
   severed.remove_loads(*present_model);
 }
 
@@ -349,8 +350,7 @@ const RowArea &
 CutBody<dim>::area_of_row(const unsigned int row)
 {
   if (areas.empty())
-    areas =
-      row_areas(strips(), surface(), the_scene.material, newest_seam->rows());
+    areas = row_areas(strips(), surface(), materials, newest_seam->rows());
   return areas[row];
 }
 

@@ -68,6 +68,18 @@ CutBody<dim>::opening() const
 
 
 template <int dim>
+void
+CutBody<dim>::take_finite_strain()
+{
+  materials.take_finite_strain();
+  // Nodal forces of pressures are none of the loads any more. The mesh is the
+  // same, and so are the numbers of unknowns.
+  rebuild();
+}
+
+
+
+template <int dim>
 Choice<SolverKind>
 CutBody<dim>::solver_choice() const
 {
@@ -287,6 +299,7 @@ CutBody<dim>::condensed_solver()
     const PairStates &) const;                                                \
   template CutBody<dim>::Constraints CutBody<dim>::constraints() const;       \
   template LA::Vector CutBody<dim>::opening() const;                          \
+  template void CutBody<dim>::take_finite_strain();                           \
   template Choice<SolverKind> CutBody<dim>::solver_choice() const;            \
   template Choice<CutStrategy> CutBody<dim>::cut_strategy() const;            \
   template void CutBody<dim>::expect_single_states();                         \

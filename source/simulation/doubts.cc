@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/mechanics/stress/ellipticity.h>
 #include <setsudan/mesh/geometry.h>
 #include <setsudan/simulation/record/results_writer.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Setsudan
@@ -98,6 +100,16 @@ warn_of_pull(const Event &event, const std::string &force_unit)
   return message.str();
 }
 
+template <int dim>
+std::string
+warn_of_ellipticity(const Event &event,
+                    const ElasticModel<dim> &model,
+                    const LeastEllipticity<dim> &softest)
+{
+  return "in frame " + std::to_string(event.frame) + " " +
+         describe_ellipticity(model, softest);
+}
+
 std::string
 warn_of_round_off(const SolveQuality &quality)
 {
@@ -119,7 +131,8 @@ warn_of_round_off(const SolveQuality &quality)
 
 template <int dim>
 void
-ResultsWriter<dim>::doubt(const Event &event,
+ResultsWriter<dim>::doubt(const CutBody<dim> &body,
+                          const Event &event,
                           const State<dim> &state,
                           const WallOverlap<dim> &overlap)
 {
@@ -138,9 +151,11 @@ ResultsWriter<dim>::doubt(const Event &event,
     ++(warned.*reason);
   };
   doubt_for(&Doubts::strain,
-            !scene.material.finite_strain &&
+            !body.model().materials.finite_strain &&
               event.max_strain > scene.material.linear_range,
             [&] { return warn_of_strain(event, scene.material.linear_range); });
+  if (!body.model().materials.finite_strain)
+    doubts.largest_strain = std::max(doubts.largest_strain, event.max_strain);
   doubt_for(&Doubts::jacobian, event.min_jacobian <= 0, [&] {
     return warn_of_jacobian(event);
   });
@@ -169,6 +184,10 @@ ResultsWriter<dim>::doubt(const Event &event,
             state.quality.residual > 1e-8 ||
               state.quality.estimated_relative_error > 1e-5,
             [&] { return warn_of_round_off(state.quality); });
+  const auto softest = find_least_ellipticity(body.model(), state.displacement);
+  doubt_for(&Doubts::ellipticity, softest.ratio <= 0, [&] {
+    return warn_of_ellipticity(event, body.model(), softest);
+  });
   doubts.n_states += is_doubtful;
 }
 
@@ -197,12 +216,17 @@ ResultsWriter<dim>::describe_doubts() const
       reasons +=
         (reasons.empty() ? "" : ", ") + why + " in " + std::to_string(n);
   };
-  add(doubts.strain, "strain beyond Material/Linear range");
+  std::ostringstream strain;
+  strain.precision(3);
+  strain << "strain of up to " << doubts.largest_strain
+         << " beyond Material/Linear range";
+  add(doubts.strain, strain.str());
   add(doubts.jacobian, "elements inside out");
   add(doubts.overlap, "walls of a cut through each other");
   add(doubts.slide, "a piece held on the board beyond its friction");
   add(doubts.passed, "nodes beyond the board");
   add(doubts.pull, "rows pulled together by the blade's thickness");
+  add(doubts.ellipticity, "a law without resistance");
   add(doubts.round_off, "digits lost by the solver");
   return std::to_string(doubts.n_states) +
          " of them not to be trusted: " + reasons;
@@ -211,7 +235,8 @@ ResultsWriter<dim>::describe_doubts() const
 
 
 template void
-ResultsWriter<2>::doubt(const Event &,
+ResultsWriter<2>::doubt(const CutBody<2> &,
+                        const Event &,
                         const State<2> &,
                         const WallOverlap<2> &);
 template void
@@ -219,7 +244,8 @@ ResultsWriter<2>::warn_anew();
 template std::string
 ResultsWriter<2>::describe_doubts() const;
 template void
-ResultsWriter<3>::doubt(const Event &,
+ResultsWriter<3>::doubt(const CutBody<3> &,
+                        const Event &,
                         const State<3> &,
                         const WallOverlap<3> &);
 template void

@@ -90,7 +90,7 @@ Drive<dim>::Drive(const Scene<dim> &scene)
 
 template <int dim>
 std::unique_ptr<Drive<dim>>
-Drive<dim>::make(const Scene<dim> &scene)
+Drive<dim>::make(const Scene<dim> &scene, const bool is_linear)
 {
   if (scene.blade.travels && !scene.material.is_linear())
     return std::make_unique<NonlinearTravel<dim>>(scene);
@@ -100,7 +100,7 @@ Drive<dim>::make(const Scene<dim> &scene)
     return std::make_unique<WedgedForce<dim>>(scene);
   if (scene.division.load_control == DivisionParameters::LoadControl::ramp)
     {
-      if (!scene.material.is_linear())
+      if (!is_linear)
         return std::make_unique<NonlinearRamp<dim>>(scene);
       return std::make_unique<ForceRamp<dim>>(scene);
     }

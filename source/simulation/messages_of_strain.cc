@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/messages.h>
 
 #include <set>
+#include <sstream>
 
 namespace Setsudan
 {
 template <int dim>
 std::optional<std::string>
-describe_strain(const Scene<dim> &scene)
+describe_strain(const MaterialParameters<dim> &materials)
 {
-  if (!scene.material.finite_strain)
+  if (materials.strain == LawParameters::Strain::automatic)
+    return "Strain: small, and finite from the state on whose largest "
+           "principal "
+           "strain exceeds Material/Linear range = " +
+           short_text(materials.linear_range) + ".";
+  if (!materials.finite_strain)
     return {};
   std::set<std::string> laws;
-  for (const auto &material : scene.material.all())
+  for (const auto &material : materials.all())
     laws.insert(
       material.law->name() +
       (material.is_mixed
@@ -23,6 +30,23 @@ describe_strain(const Scene<dim> &scene)
   for (const auto &law : laws)
     line += (law == *laws.begin() ? "" : ", ") + law;
   return line + ".";
+}
+
+
+
+template <int dim>
+std::string
+describe_change_of_strain(const MaterialParameters<dim> &materials,
+                          const Event &event)
+{
+  std::ostringstream line;
+  line.precision(3);
+  line << "  in frame " << event.frame << " a principal strain of "
+       << event.max_strain
+       << " exceeds Material/Linear range = " << materials.linear_range
+       << ": this state is solved again with finite strain, and all behind it "
+          "are, by Newton's method.";
+  return line.str();
 }
 
 
@@ -42,9 +66,13 @@ describe_instability(const CutBody<dim> &body,
 
 
 template std::optional<std::string>
-describe_strain(const Scene<2> &);
+describe_strain(const MaterialParameters<2> &);
 template std::optional<std::string>
-describe_strain(const Scene<3> &);
+describe_strain(const MaterialParameters<3> &);
+template std::string
+describe_change_of_strain(const MaterialParameters<2> &, const Event &);
+template std::string
+describe_change_of_strain(const MaterialParameters<3> &, const Event &);
 template std::string
 describe_instability(const CutBody<2> &, const Event &, const std::string &);
 template std::string

@@ -359,7 +359,8 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from, const double part)
           (next.relative_residual <= contact.body.scene().solver.tolerance ||
            is_round_off))
         {
-          if (find_smallest_volume(model, next.displacement).ratio <= 0)
+          if (find_smallest_volume(model, next.displacement).ratio <= 0 ||
+              turns_over(model, from.displacement, next.displacement))
             return {};
           quality.residual    = next.relative_residual;
           const double energy = next.internal.energy +

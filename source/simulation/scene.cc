@@ -5,6 +5,7 @@
 #include <numeric>
 #include <setsudan/mechanics/pieces/hinges.h>
 #include <setsudan/mesh/geometry.h>
+#include <setsudan/output/pieces/calculix_material.h>
 #include <setsudan/parameters/lists.h>
 #include <setsudan/simulation/model_size.h>
 #include <setsudan/simulation/scene.h>
@@ -200,7 +201,13 @@ template <int dim>
 void
 check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
 {
-  const std::string where = " where Deformation/Strain is finite";
+  const std::string where =
+    " where Deformation/Strain is " + parameters.text("Deformation", "Strain");
+  parameters.require(!scene.blade.travels ||
+                       parameters.text("Deformation", "Strain") == "finite",
+                     "Blade",
+                     "Drive",
+                     "force" + where + " (finite has travel)");
   parameters.require(scene.blade.travels || !scene.has_contact(),
                      "Division",
                      "Split rows",
@@ -221,8 +228,6 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
   parameters.require(
     !scene.accuracy.estimate, "Accuracy", "Estimate", "false" + where);
-  parameters.require(
-    !scene.output.calculix_decks, "Output", "CalculiX decks", "false" + where);
   parameters.require(!scene.yield.compares_energies() ||
                        !scene.loads.has_pressure(),
                      "Load",
@@ -237,6 +242,25 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
                      "auto or every row anew" + where);
 }
 
+
+/** Refuse decks for CalculiX with laws that it does not have. */
+template <int dim>
+void
+check_laws_of_decks(const Parameters &parameters, MaterialParameters<dim> laws)
+{
+  if (laws.strain == LawParameters::Strain::automatic)
+    laws.take_finite_strain();
+  for (const auto &material : laws.all())
+    parameters.require(
+      calculix_material(material).has_value(),
+      "Output",
+      "CalculiX decks",
+      "false with the law " + material.law->name() +
+        " and Material/Volumetric energy = " +
+        parameters.text("Material", "Volumetric energy") +
+        ": of finite strain CalculiX has isochoric neo-Hooke, Mooney-Rivlin "
+        "and Ogden of up to four terms, with Volumetric energy = quadratic");
+}
 } // namespace
 
 
@@ -308,7 +332,7 @@ Scene<dim>::Scene(const Parameters &parameters)
                      "elements lie in no rows along such an edge");
   if (has_contact())
     check_contact(parameters, *this);
-  if (material.finite_strain)
+  if (material.strain != LawParameters::Strain::small)
     check_finite_strain(parameters, *this);
   parameters.require(
     !rate.is_active() || blade.path.has_times(),
@@ -336,6 +360,8 @@ Scene<dim>::Scene(const Parameters &parameters)
     "false with the mixed formulation, whose elements CalculiX "
     "does not have (Material/Formulation = displacement has "
     "its C3D20)");
+  if (output.calculix_decks)
+    check_laws_of_decks(parameters, material);
 }
 
 

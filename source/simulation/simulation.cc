@@ -3,8 +3,6 @@
 
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/simulation/accuracy/choose_refinement.h>
-#include <setsudan/simulation/accuracy/state_error.h>
-#include <setsudan/simulation/checks.h>
 #include <setsudan/simulation/messages.h>
 #include <setsudan/simulation/simulation.h>
 
@@ -37,14 +35,14 @@ Simulation<dim>::Simulation(const Scene<dim> &scene,
          checkpoint ? checkpoint->refinement
                     : choose_refinement(scene, results.progress, communicator),
          communicator)
-  , drive(Drive<dim>::make(scene))
+  , drive(Drive<dim>::make(scene, body.model().is_linear()))
 {
   if (checkpoint)
     return;
   // From now on the directory is that of a run that has begun.
   checkpoints.make({});
   results.write_parameters(parameters);
-  if (!scene.material.finite_strain &&
+  if (scene.material.strain == LawParameters::Strain::small &&
       parameters.text("Material", "Law") != "auto")
     results.progress.warn(
       "Material/Law has no effect with Deformation/Strain = small, which takes "
@@ -58,7 +56,7 @@ void
 Simulation<dim>::run()
 {
   results.progress.info(describe_body(body));
-  if (const auto line = describe_strain(scene))
+  if (const auto line = describe_strain(scene.material))
     results.progress.info(*line);
   for (const auto &joint : describe_open_joints(scene))
     results.progress.warn(joint);
@@ -218,7 +216,7 @@ Simulation<dim>::deform(const unsigned int row)
     const TimerOutput::Scope section(timer, "solve");
     return drive->advance(body, row, state);
   };
-  accept(advance());
+  accept(advance(), advance);
 
   if (row > 0 && !state.motion)
     results.record("release", event);
@@ -315,7 +313,7 @@ Simulation<dim>::settle(const unsigned int row)
   };
   if (auto settled_state = settled())
     {
-      accept(std::move(*settled_state));
+      accept(std::move(*settled_state), [&] { return *settled(); });
       results.record("release", event);
       results.write_state(body, state, event, false);
     }
@@ -344,7 +342,7 @@ Simulation<dim>::finish_cut()
     const TimerOutput::Scope section(timer, "solve");
     return drive->finish(body, state);
   };
-  accept(finished());
+  accept(finished(), finished);
   if (const auto line = describe_path_left_out(scene, state))
     results.progress.info(*line);
   if (!state.motion)
@@ -362,31 +360,6 @@ Simulation<dim>::solve(const BladeLoad<dim> &blade, const double load_factor)
 {
   const TimerOutput::Scope section(timer, "solve");
   return solve_state(body, blade, load_factor, state.displacement);
-}
-
-
-
-template <int dim>
-void
-Simulation<dim>::accept(State<dim> &&new_state)
-{
-  const TimerOutput::Scope section(timer, "check state");
-  event.frame        = n_frames++;
-  const auto overlap = evaluate_state(body, new_state, event);
-  if (scene.accuracy.estimate)
-    {
-      const StateError error =
-        estimate_error_of_state(body, new_state.blade.row, new_state);
-      event.errors = std::array<double, 2>{
-        {error.energy.relative_energy, error.cutting_stress}};
-      new_state.error_squares = error.energy.squares;
-    }
-  // Each split can only lower it.
-  if (event.released_rows > 0)
-    check_energy_of_split(body, state, new_state);
-  body.accept();
-  state = std::move(new_state);
-  results.doubt(event, state, overlap);
 }
 
 

@@ -43,7 +43,7 @@ Simulation<dim>::lie()
     results.progress.warn(
       "the supports hold all of these corners: the board does nothing. Take "
       "what lies on it out of subsection Support, or leave out Board/Plane.");
-  accept(lying());
+  accept(lying(), lying);
   results.record("deform", event);
   results.write_state(body, state, event, true);
 }
@@ -61,7 +61,8 @@ Simulation<dim>::deform_only()
   // On a board it has been deformed already.
   if (body.board())
     return;
-  accept(solve(no_blade(body.model()), 0));
+  const auto deformed = [&] { return solve(no_blade(body.model()), 0); };
+  accept(deformed(), deformed);
   results.record("deform", event);
   results.write_state(body, state, event, true);
 }

@@ -12,6 +12,8 @@ template <int dim>
 bool
 Simulation<dim>::resume()
 {
+  if (checkpoint->finite_strain && !scene.material.finite_strain)
+    take_finite_strain();
   repeat_surgeries(*checkpoint, body);
   state = restore_state(*checkpoint, body);
   event = checkpoint->event;

@@ -17,6 +17,9 @@ namespace
 // converge.
 constexpr unsigned int most_extrapolated_steps = 10;
 constexpr unsigned int most_exact_steps        = 20;
+// Of the forces with which a body resists what is prescribed, a part beside
+// which all others are round-off, as where supports turn a body rigidly.
+constexpr double part_of_resistance = 1e-4;
 } // namespace
 
 
@@ -55,6 +58,11 @@ NewtonPath<dim>::NewtonPath(const ElasticModel<dim> &model,
   distribute(constraints, free_part);
   lacking_displacement += free_part;
   lacking_displacement -= start;
+  if (lacking_displacement.linfty_norm() > 0)
+    size_of_forces =
+      std::max(size_of_forces,
+               part_of_resistance *
+                 tangent_times(model, start, lacking_displacement).l2_norm());
 }
 
 
@@ -248,9 +256,14 @@ NewtonPath<dim>::go(const NewtonIterate &from,
   for (now.n_steps = 1; now.is_valid(); ++now.n_steps)
     {
       if (is_solved(now, before))
-        return (last_was_definite && !iteration) || is_stable(now.displacement)
-                 ? now
-                 : std::optional<NewtonIterate>();
+        {
+          // The tangent of a single step is that of where it came from.
+          const bool is_known_stable =
+            last_was_definite && !iteration && now.n_steps > 1;
+          return is_known_stable || is_stable(now.displacement)
+                   ? now
+                   : std::optional<NewtonIterate>();
+        }
       if (now.n_steps == most)
         break;
       const LA::Vector increment =

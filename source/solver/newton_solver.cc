@@ -37,7 +37,8 @@ try_part(const ElasticModel<dim> &model,
         failure.reset();
         auto reached = path.go(from, part_of_from, part, tangent);
         if (reached &&
-            find_smallest_volume(model, reached->displacement).ratio > 0)
+            find_smallest_volume(model, reached->displacement).ratio > 0 &&
+            !turns_over(model, from.displacement, reached->displacement))
           return reached;
       }
     catch (const NotDefiniteError &)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/mechanics/stress/deformation_extremes.h>
+#include <setsudan/mechanics/stress/ellipticity.h>
 #include <setsudan/mesh/geometry.h>
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/solver/no_equilibrium.h>
@@ -86,7 +87,8 @@ throw_no_equilibrium(const ElasticModel<dim> &model,
                      const LA::Vector &last,
                      const double part)
 {
-  // A volume that is nearly nothing is why, and no softness elsewhere.
+  // A volume, or resistance of a law, that is nearly nothing is why, and no
+  // softness elsewhere.
   constexpr double nearly_nothing = 0.2;
   const auto volume               = find_smallest_volume(model, last);
   std::ostringstream message;
@@ -99,6 +101,9 @@ throw_no_equilibrium(const ElasticModel<dim> &model,
             << " there: a force at a node or on a line presses a fine mesh "
                "through itself. Spread the load, lower it, or take larger "
                "elements.";
+  else if (const auto softest = find_least_ellipticity(model, last);
+           softest.ratio < nearly_nothing)
+    message << "There " << describe_ellipticity(model, softest);
   else
     message << describe_softest_mode(model, constraints, parameters, last);
   throw NoEquilibriumError(message.str());

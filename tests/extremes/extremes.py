@@ -16,6 +16,7 @@ import sys
 import tempfile
 
 import distortion
+import large_strain
 
 PROGRAM = None
 TIME_LIMIT = 300
@@ -337,6 +338,8 @@ def main():
     blade_cases(table, base)
     contrast_cases(table)
     symmetry_cases(table)
+    large_strain.cases(table, lambda *settings, **more: accepted(Run(*settings, **more)),
+                 tempfile.TemporaryDirectory)
     rows_case(table, 500)
     if "--long" in sys.argv[2:]:
         rows_case(table, 2000)

@@ -41,6 +41,15 @@ struct Loaded : SmallModel<dim>
   Solution
   solve(const double part, const LA::Vector &start) const
   {
+    return solve(part, start, this->model.lift);
+  }
+
+  /** The same with any displacement of the supports. */
+  Solution
+  solve(const double part,
+        const LA::Vector &start,
+        const LA::Vector &lift) const
+  {
     auto constraints = std::make_shared<AffineConstraints<double>>(
       this->model.discretization.relevant);
     constraints->merge(this->model.supports);
@@ -48,7 +57,7 @@ struct Loaded : SmallModel<dim>
     LA::Vector forces = this->model.loads;
     forces *= part;
     return NewtonSolver<dim>(this->model, constraints, solver_parameters)
-      .solve(forces, this->model.lift, start);
+      .solve(forces, lift, start);
   }
 
   Solution
@@ -155,6 +164,108 @@ test_buckling(const Assignments &assignments)
 }
 
 
+/** A state that is reached in one step is asked whether it is stable, too: the
+ * law of St. Venant and Kirchhoff loses its resistance under compression. */
+void
+test_collapse()
+{
+  for (const std::string law : {"linear elastic", "neo-Hooke"})
+    try
+      {
+        const Loaded<3> loaded(
+          {"Body/Elements=1,1,2",
+           "Support/Fixed components=left : x; right : x; front : y; back : y; "
+           "bottom : z",
+           "Support/Displacements=top : free, free, -5",
+           "Material/Law=" + law,
+           "Deformation/Strain=finite"});
+        loaded.solve(1);
+        say("block pressed to its half, " + law + ": taken");
+      }
+    catch (const NoEquilibriumError &error)
+      {
+        const std::string message = error.what();
+        say("block pressed to its half, " + law + ": " +
+            (message.find("hardly any resistance") != std::string::npos
+               ? "the law is named"
+               : message));
+      }
+}
+
+
+/** A bar that is pulled to five times its length at once, of which linear
+ * theory would say that its sides have passed through each other. */
+void
+test_long_bar()
+{
+  const Loaded<3> loaded(
+    {"Body/Elements=1,1,1",
+     "Support/Fixed components=left : x; front : y; bottom : z",
+     "Support/Displacements=top : free, free, 40",
+     "Material/Poisson's ratio=0.3",
+     "Deformation/Strain=finite"});
+  const auto solution = loaded.solve(1);
+  double least        = 0;
+  for (const double u : solution.displacement)
+    least = std::min(least, u);
+  // The lateral stretch of Ciarlet's law.
+  check_below_on_all("pulled bar, sides", std::abs(least + 4.7083), 1e-3);
+}
+
+
+/** The displacement by which a body is turned about the origin. */
+LA::Vector
+turned(const ElasticModel<2> &model, const double angle)
+{
+  LA::Vector u = model.discretization.zero_vector();
+  for (const auto &cell :
+       model.discretization.dof_handler.active_cell_iterators())
+    {
+      const auto positions = model.discretization.node_positions(cell);
+      const auto indices   = model.discretization.node_indices(cell);
+      for (unsigned int n = 0; n < indices.size(); ++n)
+        {
+          const auto &x = positions[n];
+          u(indices[n][0]) =
+            (std::cos(angle) - 1) * x[0] - std::sin(angle) * x[1];
+          u(indices[n][1]) =
+            std::sin(angle) * x[0] + (std::cos(angle) - 1) * x[1];
+        }
+    }
+  u.compress(VectorOperation::insert);
+  return u;
+}
+
+
+/** A bar whose foot is turned once around, in twelve steps, follows without
+ * being strained, and is where it was in the end. */
+void
+test_rotation(const std::string &ratio)
+{
+  const Loaded<2> loaded({"Body/Size=1,4",
+                          "Body/Elements=1,3",
+                          "Support/Fixed faces=bottom",
+                          "Material/Poisson's ratio=" + ratio,
+                          "Deformation/Strain=finite"});
+  constexpr unsigned int n_steps = 12;
+  LA::Vector u                   = loaded.model.discretization.zero_vector();
+  double error = 0, energy = 0;
+  for (unsigned int step = 1; step <= n_steps; ++step)
+    {
+      const LA::Vector expected =
+        turned(loaded.model, 2 * numbers::PI * step / n_steps);
+      u      = loaded.solve(0, u, expected).displacement;
+      energy = std::max(energy, evaluate_laws(loaded.model, u).energy);
+      LA::Vector difference = expected;
+      difference -= u;
+      error = std::max(error, difference.linfty_norm());
+    }
+  say("turned once around, Poisson's ratio " + ratio);
+  check_below_on_all("  difference to a rotation", error, 1e-7);
+  check_below_on_all("  energy", energy, 1e-12);
+}
+
+
 int
 main(int argc, char **argv)
 {
@@ -168,6 +279,10 @@ main(int argc, char **argv)
                    "Deformation/Strain=finite"},
                   6);
     test_unloading();
+    test_collapse();
+    test_long_bar();
+    test_rotation("0.2");
+    test_rotation("0.4999999");
     // E I = 5 / 12 and L = 20: Euler's load is 0.00257.
     test_buckling<3>({"Body/Size=1,1,20",
                       "Body/Elements=1,1,10",

@@ -65,6 +65,12 @@ public:
     return c01 == 0 ? "isochoric neo-Hooke" : "Mooney-Rivlin";
   }
 
+  bool
+  is_polyconvex() const override
+  {
+    return c01 == 0 && volumetric.is_convex();
+  }
+
   std::optional<NeoHookeForm>
   neo_hooke() const override
   {
@@ -73,12 +79,12 @@ public:
     return NeoHookeForm{volumetric.form, true};
   }
 
+  const double c10;
+  const double c01;
+
 private:
   StrainEnergy
   of_isochoric(const dealii::SymmetricTensor<2, 3> &C) const override;
-
-  const double c10;
-  const double c01;
 };
 
 /**
@@ -92,12 +98,13 @@ private:
 class Ogden : public DecoupledLaw
 {
 public:
-  /** Ratios of mu_p to each other, which are scaled to mu, and alpha_p. */
+  /** mu_p and alpha_p. */
   using Terms = std::vector<std::pair<double, double>>;
 
+  /** @param ratios of mu_p to each other, which are scaled to mu. */
   Ogden(const Hooke &at_rest,
         const VolumetricEnergy::Form form,
-        const Terms &terms);
+        const Terms &ratios);
 
   std::string
   name() const override
@@ -105,10 +112,10 @@ public:
     return "Ogden";
   }
 
+  const Terms terms;
+
 private:
   StrainEnergy
   of_isochoric(const dealii::SymmetricTensor<2, 3> &C) const override;
-
-  Terms terms;
 };
 } // namespace Setsudan

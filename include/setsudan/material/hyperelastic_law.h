@@ -45,6 +45,14 @@ public:
     return nullptr;
   }
 
+  /** Whether the energy is polyconvex (Ball 1977, Archive for Rational
+   * Mechanics and Analysis 63, 337-403), so that no state loses ellipticity. */
+  virtual bool
+  is_polyconvex() const
+  {
+    return false;
+  }
+
   /** What it is to the kernels, with the moduli at rest; nothing where they do
    * not know it. */
   virtual std::optional<NeoHookeForm>
@@ -96,6 +104,12 @@ public:
   name() const override
   {
     return "neo-Hooke";
+  }
+
+  bool
+  is_polyconvex() const override
+  {
+    return VolumetricEnergy(form.volumetric, at_rest.lambda).is_convex();
   }
 
   StrainEnergy

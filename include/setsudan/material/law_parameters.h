@@ -16,7 +16,9 @@ struct LawParameters
   enum class Strain
   {
     small,
-    finite
+    finite,
+    /** Small until the range of the linear theory is left. */
+    automatic
   };
 
   Strain strain;
@@ -36,7 +38,8 @@ struct LawParameters
   names();
 
   /**
-   * The law of a material. With small strain it is always Hooke's.
+   * The law of a material. With small strain it is always Hooke's; with
+   * `automatic` it is that of finite strain.
    *
    * @param name one of names().
    * @param is_mixed whether the change of volume is projected: `auto` is a law

@@ -90,8 +90,15 @@ public:
   set_law(const unsigned int number,
           const std::shared_ptr<const ConstitutiveLaw> &law);
 
+  /** Let laws be those of finite strain from now on. Strain must be
+   * `automatic`. */
+  void
+  take_finite_strain();
+
   double linear_range;
-  /** Whether laws are those of finite strain. */
+  /** What the scene asks for. */
+  LawParameters::Strain strain;
+  /** Whether laws are those of finite strain now. */
   bool finite_strain;
   /** Whether the scene names the formulation, rather than leave it to
    * Poisson's ratio. */
@@ -99,6 +106,8 @@ public:
 
 private:
   std::vector<Material> materials;
+  /** Of finite strain, where strain is small so far. */
+  std::vector<std::shared_ptr<const ConstitutiveLaw>> laws_to_come;
   /** Empty where there is one material only. */
   std::vector<unsigned int> material_of_element;
 };

@@ -22,6 +22,14 @@ public:
   /** @param modulus [force/area]. */
   VolumetricEnergy(const Form form, const double modulus);
 
+  /** Whether U is a convex function of J; with a negative modulus, as lambda is
+   * where Poisson's ratio is negative, it is not. */
+  bool
+  is_convex() const
+  {
+    return form != Form::logarithmic && modulus >= 0;
+  }
+
   /** U per volume at rest [force/area]. */
   double
   value(const double J) const;
@@ -34,8 +42,6 @@ public:
   second_derivative(const double J) const;
 
   const Form form;
-
-private:
   const double modulus;
 };
 } // namespace Setsudan

@@ -214,6 +214,10 @@ public:
   BladeLoad<dim>
   blade_on_row(const unsigned int row) const;
 
+  /** Let the body have the laws of finite strain from now on. */
+  void
+  take_finite_strain();
+
   /** Let the internal variables be those of the state that was solved for. */
   void
   accept()
@@ -324,6 +328,8 @@ private:
   stages() const;
 
   const Scene<dim> &the_scene;
+  /** As the scene has them, until they take finite strain. */
+  MaterialParameters<dim> materials;
   const MPI_Comm mpi_communicator;
   const Refinement the_refinement;
   CoarseMesh<dim> present_mesh;

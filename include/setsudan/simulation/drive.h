@@ -18,9 +18,10 @@ class Drive
 public:
   /** The drive that Division/Load control asks for.
    *
-   * @param scene must live as long. */
+   * @param scene must live as long.
+   * @param is_linear whether the laws of the body are now. */
   static std::unique_ptr<Drive<dim>>
-  make(const Scene<dim> &scene);
+  make(const Scene<dim> &scene, const bool is_linear);
 
   explicit Drive(const Scene<dim> &scene);
 

@@ -50,10 +50,16 @@ std::string
 describe_solve(const CutBody<dim> &body);
 
 /** With which laws a body of finite strain deforms, and why; nothing where
- * strain is small. */
+ * strain is always small. */
 template <int dim>
 std::optional<std::string>
-describe_strain(const Scene<dim> &scene);
+describe_strain(const MaterialParameters<dim> &materials);
+
+/** Which state makes a body take finite strain. */
+template <int dim>
+std::string
+describe_change_of_strain(const MaterialParameters<dim> &materials,
+                          const Event &event);
 
 /** Where a run ends since a body has no stable equilibrium.
  *

@@ -7,6 +7,7 @@
 #include <setsudan/simulation/record/checkpoint_schedule.h>
 #include <setsudan/simulation/record/results_writer.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -115,9 +116,16 @@ private:
   State<dim>
   solve(const BladeLoad<dim> &blade, const double load_factor);
 
-  /** Take a solved state, and check what must hold from the last to it. */
+  /** Take a solved state, and check what must hold from the last to it.
+   *
+   * @param again solves for the state with the body as it is then, where it
+   *   takes finite strain for this state. */
   void
-  accept(State<dim> &&new_state);
+  accept(State<dim> &&new_state, const std::function<State<dim>()> &again);
+
+  /** Solve with the laws of finite strain from now on. */
+  void
+  take_finite_strain();
 
   const Scene<dim> &scene;
   dealii::TimerOutput &timer;
@@ -125,7 +133,7 @@ private:
   ResultsWriter<dim> results;
   CheckpointSchedule checkpoints;
   CutBody<dim> body;
-  const std::unique_ptr<Drive<dim>> drive;
+  std::unique_ptr<Drive<dim>> drive;
   State<dim> state;
   Event event;
   unsigned int n_frames = 1;

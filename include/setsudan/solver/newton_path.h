@@ -60,7 +60,8 @@ public:
              const LA::Vector &start,
              std::shared_ptr<CondensedSolver<dim>> factor);
 
-  /** The size of the internal forces there: what is left counts beside it. */
+  /** The size of the internal forces there, or of a small part of what the body
+   * resists the prescribed displacement with: what is left counts beside it. */
   double
   size_of_first_forces() const
   {
@@ -140,7 +141,7 @@ private:
   /** The residual at the start, and what is prescribed and lacking there. */
   LA::Vector lacking_forces;
   LA::Vector lacking_displacement;
-  /** That of the internal forces at the start. */
+  /** See size_of_first_forces(). */
   double size_of_forces;
   AssembledSolver<dim> solver;
   const bool is_small;

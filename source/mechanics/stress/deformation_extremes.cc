@@ -328,6 +328,56 @@ find_smallest_volume(const ElasticModel<dim> &model,
 
 
 
+namespace
+{
+/** By the minors: deal.II's eigenvalues fail where two are the same up to
+ * round-off. */
+template <int dim>
+bool
+is_positive_definite(const SymmetricTensor<2, dim> &tensor)
+{
+  const double minor =
+    tensor[0][0] * tensor[1][1] - tensor[0][1] * tensor[0][1];
+  return tensor[0][0] > 0 && minor > 0 && determinant(tensor) > 0;
+}
+} // namespace
+
+
+template <int dim>
+bool
+turns_over(const ElasticModel<dim> &model,
+           const LA::Vector &from,
+           const LA::Vector &to)
+{
+  const auto &discretization = model.discretization;
+  const LA::Vector before    = discretization.with_ghosts(from);
+  const LA::Vector behind    = discretization.with_ghosts(to);
+  StressEvaluator<dim> at_nodes(
+    discretization, model.materials, node_points(discretization));
+  std::vector<Tensor<2, dim>> gradients(at_nodes.n_points());
+  const Tensor<2, dim> one = unit_symmetric_tensor<dim>();
+  bool found               = false;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (!found && cell->is_locally_owned())
+      {
+        at_nodes.reinit(cell, before);
+        for (unsigned int p = 0; p < gradients.size(); ++p)
+          gradients[p] = at_nodes.gradient(p);
+        at_nodes.reinit(cell, behind);
+        for (unsigned int p = 0; p < gradients.size(); ++p)
+          found = found ||
+                  !is_positive_definite<dim>(symmetrize(
+                    (one + at_nodes.gradient(p)) * invert(one + gradients[p])));
+      }
+  return Utilities::MPI::logical_or(found, discretization.communicator);
+}
+
+
+
+template bool
+turns_over(const ElasticModel<2> &, const LA::Vector &, const LA::Vector &);
+template bool
+turns_over(const ElasticModel<3> &, const LA::Vector &, const LA::Vector &);
 template SmallestVolume<2>
 find_smallest_volume(const ElasticModel<2> &, const LA::Vector &);
 template SmallestVolume<3>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/output/pieces/calculix_deck.h>
+#include <setsudan/output/pieces/calculix_material.h>
 #include <setsudan/output/pieces/element_order.h>
 
 #include <iomanip>
@@ -36,7 +37,7 @@ public:
     write_elements();
     write_materials();
     write_equations();
-    out << "*STEP\n*STATIC\n";
+    write_step();
     write_boundary();
     write_forces();
     out << "*NODE PRINT, NSET=BODY\nU\n"
@@ -98,19 +99,36 @@ private:
       }
   }
 
+  bool
+  has_finite_strain() const
+  {
+    return problem.materials.begin()->second.law->hyperelastic() != nullptr;
+  }
+
   void
   write_materials()
   {
-    for (const auto &[number, hooke] : problem.materials)
+    for (const auto &[number, material] : problem.materials)
       {
-        const double sum = hooke.lambda + hooke.mu;
-        out << "*MATERIAL, NAME=MATERIAL_" << number << "\n*ELASTIC\n"
-            << hooke.mu * (2 + hooke.lambda / sum) << ", "
-            << hooke.lambda / (2 * sum) << "\n*SOLID SECTION, ELSET=MATERIAL_"
-            << number << ", MATERIAL=MATERIAL_" << number << '\n';
+        out << "*MATERIAL, NAME=MATERIAL_" << number << '\n'
+            << calculix_material(material).value()
+            << "*SOLID SECTION, ELSET=MATERIAL_" << number
+            << ", MATERIAL=MATERIAL_" << number << '\n';
         if (dim == 2)
           out << "1.\n";
       }
+  }
+
+  void
+  write_step()
+  {
+    if (has_finite_strain())
+      // Until Newton's method has left less of forces and displacements than
+      // what CalculiX prints.
+      out << "*STEP, NLGEOM\n*STATIC\n1., 1.\n"
+             "*CONTROLS, PARAMETERS=FIELD\n1e-8, 1e-8, , , 1e-8\n";
+    else
+      out << "*STEP\n*STATIC\n";
   }
 
   void

@@ -227,8 +227,7 @@ gather_problem(const SolvedProblem<dim> &solved, const Body<dim> &body)
         element.nodes[n] = unknowns.at(cell.nodes[n]).node;
       problem.elements.push_back(element);
       problem.materials.emplace(
-        cell.material,
-        solved.model.materials.of_element(cell.path.element).at_rest);
+        cell.material, solved.model.materials.of_element(cell.path.element));
     }
   for (const auto &node : whole.nodes)
     for (const auto index : node.indices)

@@ -25,7 +25,8 @@ void
 serialize(Archive &archive, Doubts &doubts, const unsigned int)
 {
   archive &doubts.n_states &doubts.strain &doubts.jacobian &doubts
-    .overlap &doubts.pull &doubts.slide &doubts.passed &doubts.round_off;
+    .overlap &doubts.pull &doubts.slide &doubts.passed &doubts.round_off &doubts
+    .ellipticity &doubts.largest_strain;
 }
 
 
@@ -54,9 +55,10 @@ void
 serialize(Archive &archive, Checkpoint &checkpoint, const unsigned int)
 {
   archive &checkpoint.stage &checkpoint.n_frames &checkpoint
-    .refinement &checkpoint.event &checkpoint.record &checkpoint
-    .load_factor &checkpoint.stress.reached &checkpoint.stress
-    .required &checkpoint.yields &checkpoint.displacement &checkpoint.internal;
+    .finite_strain &checkpoint.refinement &checkpoint.event &checkpoint
+    .record &checkpoint.load_factor &checkpoint.stress.reached &checkpoint
+    .stress.required &checkpoint.yields &checkpoint.displacement &checkpoint
+    .internal;
 }
 
 
@@ -65,7 +67,7 @@ namespace
 {
 const std::string file_name = "checkpoint";
 // Begins the file; the number changes with what is in it.
-const std::string signature = "setsudan checkpoint 3\n";
+const std::string signature = "setsudan checkpoint 4\n";
 } // namespace
 
 
@@ -131,10 +133,11 @@ store_state(const State<dim> &state,
             const CutBody<dim> &body,
             Checkpoint &checkpoint)
 {
-  checkpoint.load_factor  = state.load_factor;
-  checkpoint.stress       = state.stress;
-  checkpoint.yields       = state.yields;
-  checkpoint.displacement = Utilities::MPI::gather(
+  checkpoint.finite_strain = body.model().materials.finite_strain;
+  checkpoint.load_factor   = state.load_factor;
+  checkpoint.stress        = state.stress;
+  checkpoint.yields        = state.yields;
+  checkpoint.displacement  = Utilities::MPI::gather(
     body.communicator(),
     std::vector<double>(state.displacement.begin(), state.displacement.end()));
   checkpoint.internal = Utilities::MPI::gather(body.communicator(),

@@ -240,12 +240,15 @@ ResultsWriter<dim>::write_deck(const CutBody<dim> &body,
 {
   const auto constraints = body.constraints();
   const auto prescribed  = lift_of(body, state);
-  const auto problem     = gather_problem<dim>({body.mesh(),
-                                                body.model(),
-                                                constraints,
-                                                prescribed,
-                                                all_forces(state),
-                                                state.displacement},
+  // Pressures that follow the surface, as the forces that they come to.
+  LA::Vector forces = all_forces(state);
+  forces += follower_forces(body.model(), state.displacement);
+  const auto problem = gather_problem<dim>({body.mesh(),
+                                            body.model(),
+                                            constraints,
+                                            prescribed,
+                                            forces,
+                                            state.displacement},
                                            scene.body);
   if (is_first_process)
     write_calculix_deck(problem, directory, name);

@@ -40,6 +40,18 @@ SmallestVolume<dim>
 find_smallest_volume(const ElasticModel<dim> &model,
                      const LA::Vector &displacement);
 
+/** Whether some line through a node points backwards behind the way from one
+ * state to another: x.(F1 F0^-1) x <= 0 for some x, where F0 and F1 are the
+ * deformation gradients. A body that has been inside out on the way, and is no
+ * more, has such lines.
+ *
+ * @param from and to are displacements without ghosts. */
+template <int dim>
+bool
+turns_over(const ElasticModel<dim> &model,
+           const LA::Vector &from,
+           const LA::Vector &to);
+
 /** @param displacement without ghosts. */
 template <int dim>
 DeformationExtremes

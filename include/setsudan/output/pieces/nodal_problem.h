@@ -71,7 +71,7 @@ struct NodalProblem
   /** In the order of the elements of the body, refined ones one behind the
    * other. */
   std::vector<Element> elements;
-  std::map<unsigned int, Hooke> materials;
+  std::map<unsigned int, Material> materials;
   std::vector<Equation> equations;
 };
 

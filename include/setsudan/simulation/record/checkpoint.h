@@ -34,6 +34,9 @@ struct Checkpoint
   Event event;
   WriterState record;
 
+  /** Whether the body has the laws of finite strain. */
+  bool finite_strain = false;
+
   /** Of the state; what is not here follows from it. */
   double load_factor = 0;
   CuttingStress stress;

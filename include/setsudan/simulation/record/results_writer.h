@@ -35,6 +35,10 @@ struct Doubts
   unsigned int passed = 0;
   /** Digits that the solver has lost. */
   unsigned int round_off = 0;
+  /** A law that has lost ellipticity. */
+  unsigned int ellipticity = 0;
+  /** The largest principal strain of states of small strain. */
+  double largest_strain = 0;
 };
 
 /** The state of a record, apart from the files of its frames. */
@@ -116,7 +120,8 @@ public:
    * first, until warn_anew() is called; of digits that the solver has lost once
    * in a run. What a solve has to say is said. */
   void
-  doubt(const Event &event,
+  doubt(const CutBody<dim> &body,
+        const Event &event,
         const State<dim> &state,
         const WallOverlap<dim> &overlap);
 
