@@ -92,7 +92,7 @@ template <int dim>
 std::unique_ptr<Drive<dim>>
 Drive<dim>::make(const Scene<dim> &scene, const bool is_linear)
 {
-  if (scene.blade.travels && !scene.material.is_linear())
+  if (scene.blade.travels && !is_linear)
     return std::make_unique<NonlinearTravel<dim>>(scene);
   if (scene.blade.travels)
     return std::make_unique<BladeTravel<dim>>(scene);

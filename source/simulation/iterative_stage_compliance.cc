@@ -95,12 +95,8 @@ IterativeStageCompliance<dim>::force(const unsigned int number) const
 {
   if (number == forces.vectors.size())
     return loads;
-  LA::Vector vector = body.model().discretization.zero_vector();
-  for (const auto &[unknown, factor] : forces.vectors[number])
-    if (body.model().discretization.owned.is_element(unknown))
-      vector(unknown) += factor;
-  vector.compress(VectorOperation::add);
-  return vector;
+  return vector_of(forces.vectors[number],
+                   body.model().discretization.zero_vector());
 }
 
 

@@ -52,8 +52,8 @@ private:
   {
     BladeMotion motion;
     Equilibrium equilibrium;
-    /** Whether it has been asked; how many rows split, if any do, and what drives
-     * them and is required. */
+    /** Whether it has been asked if rows split; how many, what drives them and
+     * what is required. */
     bool is_judged      = false;
     unsigned int n_rows = 1;
     CuttingStress stress;

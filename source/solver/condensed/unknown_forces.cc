@@ -7,6 +7,18 @@ namespace Setsudan
 {
 using namespace dealii;
 
+LA::Vector
+vector_of(const UnknownForces &forces, LA::Vector vector)
+{
+  for (const auto &[unknown, force] : forces)
+    if (vector.in_local_range(unknown))
+      vector(unknown) += force;
+  vector.compress(VectorOperation::add);
+  return vector;
+}
+
+
+
 std::vector<double>
 work_of(const std::vector<UnknownForces> &forces,
         const LA::Vector &displacement)

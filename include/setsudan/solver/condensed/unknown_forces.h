@@ -12,6 +12,12 @@ namespace Setsudan
 using UnknownForces =
   std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
+/** Forces, the same on all processes, as a vector.
+ *
+ * @param zero without ghosts, of which this process's entries are set. */
+LA::Vector
+vector_of(const UnknownForces &forces, LA::Vector zero);
+
 /** The work of each of some forces, which are the same on all processes, in a
  * displacement without ghosts; called by all of them. */
 std::vector<double>

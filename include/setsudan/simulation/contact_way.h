@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <setsudan/simulation/nonlinear_contact.h>
+#include <setsudan/solver/assembled_solver.h>
+
+#include <memory>
+#include <optional>
+
+namespace Setsudan
+{
+/** The way from one equilibrium to another: the blade moves, and what the
+ * forces lack where it begins, as those of ties that are released, is taken off
+ * in proportion. */
+template <int dim>
+class NonlinearContact<dim>::Way
+{
+public:
+  /** All must live as long.
+   *
+   * @param of_blade no profile where it is gone. */
+  Way(const NonlinearContact &contact,
+      const BladeProfile &of_blade,
+      const unsigned int n_split,
+      const unsigned int n_ahead,
+      const BladeMotion &motion,
+      const Equilibrium &from);
+
+  /** Go on to a part of the way; nothing where that fails.
+   *
+   * @throw NotDefiniteError where the tangent is not positive definite. */
+  std::optional<Equilibrium>
+  go(const Equilibrium &from, const double part);
+
+  const typename CutBody<dim>::Constraints constraints;
+
+private:
+  /** A displacement on the way, and the forces of contact with which it was
+   * found. */
+  struct Iterate
+  {
+    LA::Vector displacement;
+    std::shared_ptr<const ContactPath<dim>> path;
+    LA::Vector contact_forces;
+    InternalForces internal;
+    /** Under the loads of a part of the way. */
+    double potential = 0;
+    /** The norm of the residual of these and of contact, and relative to that
+     * of all forces. */
+    double residual          = 0;
+    double relative_residual = 0;
+  };
+
+  /** The loads when a part of the way is behind. */
+  LA::Vector
+  loads_at(const double part) const;
+
+  double
+  travel_at(const double part) const
+  {
+    return begin_of_travel + part * (motion.travel - begin_of_travel);
+  }
+
+  /** Where the tangent about a displacement is in equilibrium with its contact:
+   * displacement and forces. A tangent that is not positive definite, even with
+   * contact, gets as much on its diagonal as it takes. */
+  Iterate
+  step(const Iterate &about, const double part);
+
+  /** The same for the tangent that a solver has. */
+  Iterate
+  solve_tangent(AssembledSolver<dim> &solver,
+                const Iterate &about,
+                const double part);
+
+  /** What the laws say about a displacement. */
+  void
+  evaluate(Iterate &iterate, const double part) const;
+
+  /** Go from one displacement towards another, as far as the energy falls;
+   * nothing where it does not. */
+  std::optional<Iterate>
+  search(const Iterate &from, const Iterate &to, const double part) const;
+
+  const NonlinearContact &contact;
+  const ElasticModel<dim> &model;
+  const BladeProfile &of_blade;
+  const unsigned int n_split;
+  const unsigned int n_ahead;
+  const BladeMotion motion;
+  const double begin_of_travel;
+  /** The residual at the beginning. */
+  LA::Vector lacking;
+  double size_of_forces;
+  AssembledSolver<dim> solver;
+  /** Of tangents that are not positive definite; made where there are any. */
+  std::unique_ptr<AssembledSolver<dim>> indefinite_solver;
+  /** Whether the last step was one of the body's own tangent. */
+  bool is_exact = true;
+  SolveQuality quality;
+};
+} // namespace Setsudan

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/mechanics/stress/deformation_extremes.h>
+#include <setsudan/parameters/exceptions.h>
+#include <setsudan/simulation/contact_way.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+namespace
+{
+/** The most steps in a part of a way. */
+constexpr unsigned int most_steps = 25;
+} // namespace
+
+
+template <int dim>
+NonlinearContact<dim>::Way::Way(const NonlinearContact &contact,
+                                const BladeProfile &of_blade,
+                                const unsigned int n_split,
+                                const unsigned int n_ahead,
+                                const BladeMotion &motion,
+                                const Equilibrium &from)
+  : constraints(contact.body.constraints_after(n_split))
+  , contact(contact)
+  , model(contact.body.model())
+  , of_blade(of_blade)
+  , n_split(n_split)
+  , n_ahead(n_ahead)
+  , motion(motion)
+  , begin_of_travel(from.travel)
+  , lacking(model.loads)
+  , size_of_forces(from.internal.forces.l2_norm())
+  , solver(model,
+           constraints,
+           contact.body.scene().solver,
+           choose_assembled(contact.body.scene().solver,
+                            size_of(model.discretization)))
+{
+  // Of rows that split, contact is another one.
+  if (from.path && from.n_split == n_split)
+    lacking += contact.forces_on_body(*from.path, from.travel);
+  lacking -= from.internal.forces;
+}
+
+
+
+template <int dim>
+LA::Vector
+NonlinearContact<dim>::Way::loads_at(const double part) const
+{
+  LA::Vector loads = model.loads;
+  loads.add(part - 1, lacking);
+  return loads;
+}
+
+
+
+template <int dim>
+typename NonlinearContact<dim>::Way::Iterate
+NonlinearContact<dim>::Way::step(const Iterate &about, const double part)
+{
+  constexpr double smallest = 1e-3, largest = 10, factor = 4;
+  is_exact = true;
+  try
+    {
+      solver.linearize({&about.displacement});
+      return solve_tangent(solver, about, part);
+    }
+  catch (const NotDefiniteError &)
+    {
+    }
+  // It may be so that contact holds.
+  try
+    {
+      if (!indefinite_solver)
+        indefinite_solver =
+          std::make_unique<AssembledSolver<dim>>(model,
+                                                 constraints,
+                                                 contact.body.scene().solver,
+                                                 SolverKind::indefinite);
+      indefinite_solver->linearize({&about.displacement});
+      Iterate next = solve_tangent(*indefinite_solver, about, part);
+      if (next.path->n_unstable() == indefinite_solver->n_negative())
+        return next;
+    }
+  catch (const SolverError &)
+    {
+      // No contact holds it.
+    }
+  // What ties have held upright may be nowhere near an equilibrium.
+  is_exact = false;
+  for (double shift = smallest; shift < largest; shift *= factor)
+    try
+      {
+        solver.linearize({&about.displacement}, shift);
+        return solve_tangent(solver, about, part);
+      }
+    catch (const NotDefiniteError &)
+      {
+      }
+  throw NotDefiniteError("The tangent is far from being positive definite.");
+}
+
+
+
+template <int dim>
+typename NonlinearContact<dim>::Way::Iterate
+NonlinearContact<dim>::Way::solve_tangent(AssembledSolver<dim> &solver,
+                                          const Iterate &about,
+                                          const double part)
+{
+  const auto &all       = contact.basis.vectors();
+  const LA::Vector zero = model.discretization.zero_vector();
+  LA::Vector residual   = loads_at(part);
+  residual -= about.internal.forces;
+  Iterate next;
+  next.displacement = about.displacement;
+  next.displacement += solver.increment(residual, zero, quality);
+
+  // What forces along the vectors do to each other.
+  std::map<unsigned int, LA::Vector> displacements;
+  LAPACKFullMatrix<double> products(all.size());
+  for (const unsigned int v : contact.basis.vectors_of_stage(n_split, n_ahead))
+    {
+      const LA::Vector force = vector_of(all[v], zero);
+      // On ties or supports alone it moves nothing.
+      constexpr double nothing_left = 1e-13;
+      if (condense(constraints, force).l2_norm() <=
+          nothing_left * force.l2_norm())
+        continue;
+      displacements[v] = solver.increment(force, zero, quality);
+      const auto work  = work_of(all, displacements[v]);
+      for (unsigned int w = v; w < all.size(); ++w)
+        products(w, v) = work[w];
+    }
+  const unsigned int n = all.size();
+  UntouchedBody untouched{{Vector<double>(n), Vector<double>(n)}, {}};
+  const auto measured = work_of(all, next.displacement);
+  std::copy(
+    measured.begin(), measured.end(), untouched.displacements.constant.begin());
+
+  BladeMotion moved = motion;
+  moved.travel      = travel_at(part);
+  next.path         = contact.make_path(
+    of_blade, n_split, n_ahead, products, untouched, moved, about.path.get());
+  next.contact_forces = contact.forces_on_body(*next.path, moved.travel);
+  const auto forces   = next.path->forces(moved.travel);
+  for (const auto &[v, displacement] : displacements)
+    if (forces[v] != 0)
+      next.displacement.add(forces[v], displacement);
+  return next;
+}
+
+
+
+template <int dim>
+void
+NonlinearContact<dim>::Way::evaluate(Iterate &iterate, const double part) const
+{
+  iterate.internal = evaluate_laws(model, iterate.displacement);
+  if (!std::isfinite(iterate.internal.energy))
+    return;
+  LA::Vector residual = loads_at(part);
+  iterate.potential   = iterate.internal.energy +
+                      iterate.internal.potential_of_pressure -
+                      residual * iterate.displacement;
+  const double scale = std::max({residual.l2_norm(),
+                                 iterate.contact_forces.l2_norm(),
+                                 iterate.internal.forces.l2_norm(),
+                                 size_of_forces});
+  residual += iterate.contact_forces;
+  residual -= iterate.internal.forces;
+  iterate.residual = condense(constraints, residual).l2_norm();
+  iterate.relative_residual =
+    scale > 0 ? iterate.residual / scale : iterate.residual;
+}
+
+
+
+template <int dim>
+std::optional<typename NonlinearContact<dim>::Way::Iterate>
+NonlinearContact<dim>::Way::search(const Iterate &from,
+                                   const Iterate &to,
+                                   const double part) const
+{
+  // Of the fall that the slope promises, what a step must bring.
+  constexpr double least_share      = 1e-4;
+  constexpr unsigned int most_tries = 10;
+  LA::Vector step                   = to.displacement;
+  step -= from.displacement;
+  LA::Vector residual = loads_at(part);
+  residual -= from.internal.forces;
+  // An exact penalty beside the energy, while conditions are not fulfilled.
+  const double penalty =
+    2 * to.path->work_to_fulfil(
+          work_of(contact.basis.vectors(), from.displacement), travel_at(part));
+  const double fall = step * residual + penalty;
+  double length     = 1;
+  for (unsigned int i = 0; i < most_tries; ++i, length /= 2)
+    {
+      Iterate tried      = to;
+      tried.displacement = from.displacement;
+      tried.displacement.add(length, step);
+      evaluate(tried, part);
+      if (!std::isfinite(tried.internal.energy))
+        continue;
+      const bool falls = tried.potential - from.potential <=
+                         length * (penalty - least_share * fall);
+      // Forces of friction have no energy, and round-off has none to tell.
+      if (falls || tried.residual < from.residual ||
+          tried.residual <= solver.round_off())
+        return tried;
+    }
+  return {};
+}
+
+
+
+template <int dim>
+std::optional<ContactEquilibrium<dim>>
+NonlinearContact<dim>::Way::go(const Equilibrium &from, const double part)
+{
+  Iterate before{from.displacement, from.path, {}, from.internal};
+  before.potential = from.internal.energy +
+                     from.internal.potential_of_pressure -
+                     loads_at(part) * from.displacement;
+  for (unsigned int n = 1; n <= most_steps; ++n)
+    {
+      const Iterate to = step(before, part);
+      auto found       = search(before, to, part);
+      if (!found)
+        return {};
+      Iterate next = std::move(*found);
+      const bool is_round_off = (next.relative_residual < failure_threshold ||
+                                 next.residual <= solver.round_off()) &&
+                                (n == 1 || next.residual > before.residual / 4);
+      if (is_exact &&
+          (next.relative_residual <= contact.body.scene().solver.tolerance ||
+           is_round_off))
+        {
+          if (find_smallest_volume(model, next.displacement).ratio <= 0 ||
+              turns_over(model, from.displacement, next.displacement))
+            return {};
+          quality.residual    = next.relative_residual;
+          const double energy = next.internal.energy +
+                                next.internal.potential_of_pressure -
+                                model.loads * next.displacement;
+          return Equilibrium{n_split,
+                             travel_at(part),
+                             std::move(next.displacement),
+                             std::move(next.path),
+                             std::move(next.internal),
+                             energy,
+                             quality,
+                             n};
+        }
+      before = std::move(next);
+    }
+  return {};
+}
+
+
+
+template class NonlinearContact<2>::Way;
+template class NonlinearContact<3>::Way;
+} // namespace Setsudan
