@@ -13,7 +13,7 @@ namespace Setsudan
 namespace
 {
 /** Work is summed from the forces before and after each step: the energy closes
- * as far as these are straight between. */
+ * as far as these are smooth between. */
 constexpr double tolerance_of_energy = 0.02;
 
 /** Of the blade, between two equilibria. */
@@ -97,17 +97,18 @@ NonlinearTravel<dim>::move(CutBody<dim> &body,
     contact->reach(row, n_ahead(body, row), next.motion, from.equilibrium);
   const auto &before = *from.equilibrium.path, &after = *next.equilibrium.path;
   const double begin = from.motion.travel, way = travel - begin;
-  const double slice    = this->scene.blade.sliding.slice;
-  const auto mean_force = [&](Quadratic ContactResultants::*part) {
-    return ((before.resultants().*part)(begin) +
-            (after.resultants().*part)(travel)) /
-           2;
+  const ContactResultants first = before.resultants(),
+                          last  = after.resultants();
+  // By values and slopes at both ends.
+  const auto work_of = [&](Quadratic ContactResultants::*part) {
+    const double slopes = (first.*part).c[1] - (last.*part).c[1];
+    return ((first.*part)(begin) + (last.*part)(travel)) / 2 * way +
+           slopes * way * way / 12;
   };
-  next.motion.work += (mean_force(&ContactResultants::edge) +
-                       mean_force(&ContactResultants::flanks) +
-                       slice * mean_force(&ContactResultants::aside)) *
-                      way;
-  next.motion.unfelt_work += mean_force(&ContactResultants::unfelt) * way;
+  next.motion.work +=
+    work_of(&ContactResultants::edge) + work_of(&ContactResultants::flanks) +
+    this->scene.blade.sliding.slice * work_of(&ContactResultants::aside);
+  next.motion.unfelt_work += work_of(&ContactResultants::unfelt);
   next.motion.friction_energy +=
     (before.friction_work(begin, travel) + after.friction_work(begin, travel)) /
     2;

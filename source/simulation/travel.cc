@@ -81,8 +81,10 @@ check_energy_of_blade(const CutBody<dim> &body,
           << motion.work << " the body stores " << stored
           << ", new surface takes " << motion.surface_energy << ", friction "
           << motion.friction_energy << " and unstable releases "
-          << motion.excess_energy << ", and " << lost
-          << " is missing. The solution is not to be trusted.";
+          << motion.excess_energy << ", and " << lost << " is missing. "
+          << (body.model().is_linear()
+                ? "The solution is not to be trusted."
+                : "Let it take smaller steps: set Blade/Advance.");
   throw InvariantError(message.str());
 }
 
