@@ -205,6 +205,47 @@ ContactPath<dim>::friction_work_to(const ContactPath &after) const
 
 
 template <int dim>
+double
+ContactPath<dim>::friction_work_to(const ContactPath &after,
+                                   const double begin,
+                                   const double end) const
+{
+  using Component = typename ContactBasis<dim>::Component;
+  if (!sliding.rubs())
+    return 0;
+  const double travel = end - begin;
+  const auto moves    = [&](const Condition &condition,
+                         const Component component) {
+    const auto before = moved(condition.place, condition.wall, component);
+    const auto behind = after.moved(condition.place, condition.wall, component);
+    return behind[0] + end * behind[1] - before[0] - begin * before[1];
+  };
+  double work = 0;
+  for (const auto &[path, p] :
+       {std::make_pair(this, begin), std::make_pair(&after, end)})
+    for (unsigned int i = 0; i < path->conditions.size(); ++i)
+      {
+        const Condition &condition = path->conditions[i];
+        if (!path->piece.active[i])
+          continue;
+        const double half = path->piece.multipliers(i, p) / 2;
+        if (condition.is_of_flank())
+          work += half * dissipation(condition,
+                                     travel,
+                                     moves(condition, Component::along),
+                                     sliding.rubs_aside()
+                                       ? moves(condition, Component::aside)
+                                       : 0.);
+        if (condition.kind == Kind::edge)
+          work +=
+            half * condition.aside * (sliding.slice - sliding.drag()) * travel;
+      }
+  return work;
+}
+
+
+
+template <int dim>
 Quadratic
 ContactPath<dim>::energy_set_free(const ContactPath &after) const
 {
@@ -367,6 +408,8 @@ ContactPath<dim>::work_to_fulfil(const std::vector<double> &measured,
     const;                                                                    \
   template Quadratic ContactPath<dim>::friction_work_to(const ContactPath &)  \
     const;                                                                    \
+  template double ContactPath<dim>::friction_work_to(                         \
+    const ContactPath &, const double, const double) const;                   \
   template Quadratic ContactPath<dim>::energy_set_free(const ContactPath &)   \
     const;                                                                    \
   template double ContactPath<dim>::contact_area() const;                     \

@@ -249,6 +249,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from, const double part)
               turns_over(model, from.displacement, next.displacement))
             return {};
           quality.residual    = next.relative_residual;
+          quality.force_scale = size_of_forces;
           const double energy = next.internal.energy +
                                 next.internal.potential_of_pressure -
                                 model.loads * next.displacement;

@@ -109,9 +109,7 @@ NonlinearTravel<dim>::move(CutBody<dim> &body,
     work_of(&ContactResultants::edge) + work_of(&ContactResultants::flanks) +
     this->scene.blade.sliding.slice * work_of(&ContactResultants::aside);
   next.motion.unfelt_work += work_of(&ContactResultants::unfelt);
-  next.motion.friction_energy +=
-    (before.friction_work(begin, travel) + after.friction_work(begin, travel)) /
-    2;
+  next.motion.friction_energy += before.friction_work_to(after, begin, travel);
   const double speed = this->scene.blade.path.speed_to(next.motion.n_stops);
   if (speed > 0)
     next.motion.time += std::abs(way) / speed;
@@ -219,6 +217,42 @@ NonlinearTravel<dim>::next_step(const Position &before,
 
 
 template <int dim>
+typename NonlinearTravel<dim>::Position
+NonlinearTravel<dim>::step(CutBody<dim> &body,
+                           const unsigned int row,
+                           const double longest,
+                           const double goal) const
+{
+  // Of the work of a step, what may be missing.
+  constexpr double tolerance = 5e-3;
+  constexpr double smallest  = 1. / 64;
+  const double travel        = here->motion.travel;
+  for (double length = longest;; length /= 2)
+    {
+      Position next     = move(body,
+                           row,
+                           *here,
+                           goal >= travel ? std::min(travel + length, goal)
+                                              : std::max(travel - length, goal));
+      const double work = next.motion.work - here->motion.work;
+      const double lost =
+        work - (next.motion.friction_energy - here->motion.friction_energy) -
+        (next.equilibrium.energy - here->equilibrium.energy);
+      if (std::abs(lost) <=
+          tolerance * (std::abs(work) + tolerance * here->motion.work))
+        return next;
+      if (length <= smallest * longest)
+        {
+          // It has sprung to another place.
+          next.motion.excess_energy += lost;
+          return next;
+        }
+    }
+}
+
+
+
+template <int dim>
 void
 NonlinearTravel<dim>::follow(CutBody<dim> &body,
                              const unsigned int row,
@@ -227,24 +261,19 @@ NonlinearTravel<dim>::follow(CutBody<dim> &body,
   const double longest = longest_step(body);
   // What is split closes while the blade is withdrawn, and no more splits.
   const bool pushes = goal >= here->motion.travel;
-  double step       = longest;
+  double length     = longest;
   if (pushes)
     judge(body, row, *here);
   while (here->motion.travel != goal && !here->yields())
     {
-      const double travel = here->motion.travel;
-      Position next       = move(body,
-                           row,
-                           *here,
-                           pushes ? std::min(travel + step, goal)
-                                        : std::max(travel - step, goal));
+      Position next = step(body, row, length, goal);
       if (pushes)
         {
           judge(body, row, next);
           if (next.yields())
             next = locate(body, row, std::move(*here), std::move(next));
           else
-            step = next_step(*here, next, longest);
+            length = next_step(*here, next, longest);
         }
       here = std::move(next);
     }
@@ -262,9 +291,10 @@ NonlinearTravel<dim>::go_on(CutBody<dim> &body, const unsigned int row)
     }
   catch (const NoEquilibriumError &error)
     {
-      std::string message = "Beyond a travel of " +
-                            short_text(here->motion.travel) + ": " +
-                            error.what();
+      std::string message =
+        "Beyond a travel of " +
+        short_text(std::round(1000 * here->motion.travel) / 1000) + ": " +
+        error.what();
       if (row == 0)
         message += " An edge has no width, and presses a node of a flat face "
                    "through itself: let the cut begin with Cut/Notch.";

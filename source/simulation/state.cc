@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/simulation/state.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Setsudan
 {
 using namespace dealii;
@@ -146,6 +149,12 @@ unbalanced_part(const CutBody<dim> &body,
   // with.
   if (body.model().is_linear() && unbalanced > 1e-10 * all)
     all += internal_forces(body.model(), lift_of(body, state)).l2_norm();
+  // Forces that strain a body by less than this are round-off.
+  constexpr double no_strain = 1e-6;
+  if (!body.model().is_linear())
+    all = std::max(all,
+                   no_strain * body.scene().material.smallest_youngs_modulus() *
+                     std::pow(body.scene().body.mesh.extent(), dim - 1));
   return all > 0 ? unbalanced / all : unbalanced;
 }
 

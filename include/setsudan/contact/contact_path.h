@@ -97,6 +97,13 @@ public:
   Quadratic
   friction_work_to(const ContactPath &after) const;
 
+  /** That on a step from one travel to another, at which the contact is another
+   * one of the same stage: with the mean of the pressures at both ends. */
+  double
+  friction_work_to(const ContactPath &after,
+                   const double begin,
+                   const double end) const;
+
   /** What is left of the energy for new surface, and for an excess. */
   Quadratic
   energy_set_free(const ContactPath &after) const;

@@ -14,9 +14,9 @@ namespace Setsudan
 /**
  * The blade's edge moves along its direction, as BladeTravel, through a body
  * that is not linear: in steps of Blade/Advance at most, and in shorter ones
- * where rows are about to split. The travel at which they do lies between that
- * of two equilibria, and is found up to Blade/Advance tolerance of what is
- * required.
+ * where the force is far from straight or rows are about to split. The travel
+ * at which they do lies between that of two equilibria, and is found up to
+ * Blade/Advance tolerance of what is required.
  *
  * Of the energy criterion each equilibrium is judged by the equilibria with
  * more rows split and the blade where it is.
@@ -96,6 +96,15 @@ private:
    * goal. */
   void
   follow(CutBody<dim> &body, const unsigned int row, const double goal);
+
+  /** The next position towards a goal: near enough that the work of the forces
+   * in between is what becomes of it. What is missing of that at any distance
+   * is an excess. */
+  Position
+  step(CutBody<dim> &body,
+       const unsigned int row,
+       const double longest,
+       const double goal) const;
 
   /** How far to go next. */
   double
