@@ -237,7 +237,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from, const double part)
       auto found       = search(before, to, part);
       if (!found)
         return {};
-      Iterate next = std::move(*found);
+      Iterate next            = std::move(*found);
       const bool is_round_off = (next.relative_residual < failure_threshold ||
                                  next.residual <= solver.round_off()) &&
                                 (n == 1 || next.residual > before.residual / 4);
