@@ -217,6 +217,18 @@ NonlinearTravel<dim>::next_step(const Position &before,
 
 
 template <int dim>
+double
+NonlinearTravel<dim>::energy_of_row(CutBody<dim> &body,
+                                    const unsigned int row) const
+{
+  const BladeMotion &motion = here->motion;
+  return std::max(motion.work,
+                  search->surface_energy(body, row, 1, motion, 0.));
+}
+
+
+
+template <int dim>
 typename NonlinearTravel<dim>::Position
 NonlinearTravel<dim>::step(CutBody<dim> &body,
                            const unsigned int row,
@@ -227,6 +239,7 @@ NonlinearTravel<dim>::step(CutBody<dim> &body,
   // pressures, which are less smooth than forces.
   const double tolerance    = this->scene.blade.sliding.rubs() ? 2e-2 : 5e-3;
   constexpr double smallest = 1. / 64;
+  const double of_row       = energy_of_row(body, row);
   const double travel       = here->motion.travel;
   for (double length = longest;; length /= 2)
     {
@@ -239,8 +252,7 @@ NonlinearTravel<dim>::step(CutBody<dim> &body,
       const double lost =
         work - (next.motion.friction_energy - here->motion.friction_energy) -
         (next.equilibrium.energy - here->equilibrium.energy);
-      if (std::abs(lost) <=
-          tolerance * (std::abs(work) + tolerance * here->motion.work))
+      if (std::abs(lost) <= tolerance * (std::abs(work) + of_row / 10))
         return next;
       if (length <= smallest * longest)
         {
@@ -335,7 +347,8 @@ NonlinearTravel<dim>::advance(CutBody<dim> &body,
   State<dim> state = this->state(*here, row);
   state.stress     = here->stress;
   state.yields     = yields;
-  check_energy_of_blade(body, state, tolerance_of_energy);
+  check_energy_of_blade(
+    body, state, tolerance_of_energy, energy_of_row(body, row));
   return state;
 }
 

@@ -65,7 +65,8 @@ template <int dim>
 void
 check_energy_of_blade(const CutBody<dim> &body,
                       const State<dim> &state,
-                      const double tolerance)
+                      const double tolerance,
+                      const double scale)
 {
   const BladeMotion &motion = *state.motion;
   const double stored       = energy_under_loads(state) - motion.energy_at_rest;
@@ -73,8 +74,8 @@ check_energy_of_blade(const CutBody<dim> &body,
                       motion.friction_energy - motion.excess_energy;
   // The loads of a piece that has been dropped are gone.
   if (!body.floating_pieces().empty() ||
-      std::abs(lost) <=
-        tolerance * (std::abs(motion.work) + std::abs(motion.energy_at_rest)))
+      std::abs(lost) <= tolerance * (std::abs(motion.work) +
+                                     std::abs(motion.energy_at_rest) + scale))
     return;
   std::ostringstream message;
   message << "The energy of the blade does not close: of its work of "
@@ -103,7 +104,13 @@ give_back(const State<2> &, State<2> &);
 template void
 give_back(const State<3> &, State<3> &);
 template void
-check_energy_of_blade(const CutBody<2> &, const State<2> &, const double);
+check_energy_of_blade(const CutBody<2> &,
+                      const State<2> &,
+                      const double,
+                      const double);
 template void
-check_energy_of_blade(const CutBody<3> &, const State<3> &, const double);
+check_energy_of_blade(const CutBody<3> &,
+                      const State<3> &,
+                      const double,
+                      const double);
 } // namespace Setsudan

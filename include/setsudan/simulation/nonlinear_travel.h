@@ -97,6 +97,11 @@ private:
   void
   follow(CutBody<dim> &body, const unsigned int row, const double goal);
 
+  /** An energy beside which others are small: what the next row takes, or the
+   * blade's work. */
+  double
+  energy_of_row(CutBody<dim> &body, const unsigned int row) const;
+
   /** The next position towards a goal: near enough that the work of the forces
    * in between is what becomes of it. What is missing of that at any distance
    * is an excess. */

@@ -29,11 +29,13 @@ void
 give_back(const State<dim> &from, State<dim> &state);
 
 /** @param tolerance relative to the blade's work.
+ * @param scale an energy beside which less is small, too.
  * @throw InvariantError where the blade's work is not the sum of what it has
  * become. */
 template <int dim>
 void
 check_energy_of_blade(const CutBody<dim> &body,
                       const State<dim> &state,
-                      const double tolerance);
+                      const double tolerance,
+                      const double scale = 0);
 } // namespace Setsudan
