@@ -29,18 +29,16 @@ make_matrix(const std::vector<unsigned int> &places, LA::SparseMatrix &matrix)
   owned.add_range(n * process / n_processes, n * (process + 1) / n_processes);
   TrilinosWrappers::SparsityPattern pattern(owned, communicator);
   for (const auto i : owned)
-    for (unsigned int j = std::max<int>(i - 1, 0); j < std::min<int>(i + 2, n);
-         ++j)
+    for (int j = std::max<int>(i - 1, 0); j < std::min<int>(i + 2, n); ++j)
       pattern.add(i, j);
   pattern.compress();
   matrix.reinit(pattern);
   for (const auto i : owned)
-    for (unsigned int j = std::max<int>(i - 1, 0); j < std::min<int>(i + 2, n);
-         ++j)
+    for (int j = std::max<int>(i - 1, 0); j < std::min<int>(i + 2, n); ++j)
       {
         const bool is_lower =
-          i == j && std::count(places.begin(), places.end(), i) > 0;
-        matrix.set(i, j, i == j ? (is_lower ? -3. : 2.) : -1.);
+          int(i) == j && std::count(places.begin(), places.end(), i) > 0;
+        matrix.set(i, j, int(i) == j ? (is_lower ? -3. : 2.) : -1.);
       }
   matrix.compress(VectorOperation::insert);
 }
@@ -75,7 +73,7 @@ solve(const std::vector<unsigned int> &places, const bool is_definite)
   const double error = found.linfty_norm();
   if (is_first_process())
     std::cout << *solver.n_negative()
-              << " negative, error below 1e-13: " << (error < 1e-13)
+              << " negative, error below 1e-11: " << (error < 1e-11)
               << std::endl;
 }
 } // namespace
