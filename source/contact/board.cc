@@ -200,15 +200,12 @@ travel_to_board(const BoardParameters<dim> &board,
     return std::numeric_limits<double>::infinity();
   double entry  = std::numeric_limits<double>::max();
   double travel = entry;
-  for (const auto &face : cut.surface.faces)
-    for (const unsigned int corner : mesh.face_vertices(face.minus))
-      {
-        const Point<dim> &vertex = mesh.vertices[corner];
-        const double to_vertex   = cut.edge.travel(vertex);
-        entry                    = std::min(entry, to_vertex);
-        travel =
-          std::min(travel, to_vertex + board.distance(vertex) / approach);
-      }
+  for (const auto &[vertex, to_vertex] : travels_to_vertices(mesh, cut))
+    {
+      entry  = std::min(entry, to_vertex);
+      travel = std::min(
+        travel, to_vertex + board.distance(mesh.vertices[vertex]) / approach);
+    }
   return travel - entry;
 }
 

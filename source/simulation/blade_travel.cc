@@ -148,22 +148,10 @@ BladeTravel<dim>::settle(CutBody<dim> &body,
   const double released = path->energy_set_free(*split)(motion.travel);
   const double taken =
     search->surface_energy(body, before, row - before, motion, released);
-  motion.time_of_split = motion.time;
-  motion.surface_energy += taken;
-  motion.friction_energy += path->friction_work_to(*split)(motion.travel);
-  motion.excess_energy += released - taken;
-  motion.n_rows_to_split = 0;
-  path                   = std::move(split);
+  book_split(
+    released, taken, path->friction_work_to(*split)(motion.travel), motion);
+  path = std::move(split);
   return solve(body, row, motion, from);
-}
-
-
-
-template <int dim>
-bool
-BladeTravel<dim>::moves_on(const State<dim> &state) const
-{
-  return state.motion->n_stops < this->scene.blade.path.stops.size();
 }
 
 

@@ -245,8 +245,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from, const double part)
           (next.relative_residual <= contact.body.scene().solver.tolerance ||
            is_round_off))
         {
-          if (find_smallest_volume(model, next.displacement).ratio <= 0 ||
-              turns_over(model, from.displacement, next.displacement))
+          if (!is_attainable(model, from.displacement, next.displacement))
             return {};
           quality.residual    = next.relative_residual;
           quality.force_scale = size_of_forces;

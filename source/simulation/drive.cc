@@ -111,9 +111,9 @@ Drive<dim>::make(const Scene<dim> &scene, const bool is_linear)
 
 template <int dim>
 bool
-Drive<dim>::moves_on(const State<dim> &) const
+Drive<dim>::moves_on(const State<dim> &state) const
 {
-  return false;
+  return state.motion && state.motion->n_stops < scene.blade.path.stops.size();
 }
 
 

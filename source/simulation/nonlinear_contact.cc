@@ -48,25 +48,17 @@ NonlinearContact<dim>::follow(const BladeProfile &of_blade,
   std::optional<SolverError> failure;
   const double reached = follow_in_parts(
     [&](const double, const double part) -> std::optional<unsigned int> {
-      try
-        {
-          failure.reset();
-          if (auto next = way.go(last, part))
-            {
-              last = std::move(*next);
-              n_steps += last.n_steps;
-              return last.n_steps;
-            }
-        }
-      catch (const NotDefiniteError &)
-        {
-          // Not stable, as a failure of the steps may mean too.
-        }
-      catch (const SolverError &error)
-        {
-          failure.emplace(error);
-        }
-      return {};
+      std::optional<Equilibrium> next;
+      if (!succeeds(
+            [&] {
+              next = way.go(last, part);
+              return next.has_value();
+            },
+            failure))
+        return {};
+      last = std::move(*next);
+      n_steps += last.n_steps;
+      return last.n_steps;
     });
   if (reached < 1)
     {

@@ -47,6 +47,21 @@ set_contact(const ContactPath<dim> &path, BladeMotion &motion)
 
 
 
+void
+book_split(const double released,
+           const double taken,
+           const double friction,
+           BladeMotion &motion)
+{
+  motion.time_of_split = motion.time;
+  motion.surface_energy += taken;
+  motion.friction_energy += friction;
+  motion.excess_energy += released - taken;
+  motion.n_rows_to_split = 0;
+}
+
+
+
 template <int dim>
 void
 give_back(const State<dim> &from, State<dim> &state)

@@ -57,14 +57,12 @@ check_entry(const Parameters &parameters,
     for (const auto &face : cuts[earlier].surface.faces)
       add(face.minus);
   double entry = std::numeric_limits<double>::max(), entry_when_open = entry;
-  for (const auto &face : cuts[number].surface.faces)
-    for (const unsigned int vertex : mesh.face_vertices(face.minus))
-      {
-        const double travel = edge.travel(mesh.vertices[vertex]);
-        entry               = std::min(entry, travel);
-        if (open.count(vertex) > 0)
-          entry_when_open = std::min(entry_when_open, travel);
-      }
+  for (const auto &[vertex, travel] : travels_to_vertices(mesh, cuts[number]))
+    {
+      entry = std::min(entry, travel);
+      if (open.count(vertex) > 0)
+        entry_when_open = std::min(entry_when_open, travel);
+    }
   parameters.require(
     entry_when_open <= entry + 1e-6 * mesh.extent(),
     "Cut",
@@ -83,15 +81,12 @@ check_notch(const Parameters &parameters,
             const Scene<dim> &scene,
             const Cut<dim> &cut)
 {
-  const auto &mesh = scene.body.mesh;
   double entry = std::numeric_limits<double>::max(), end = -entry;
-  for (const auto &face : cut.surface.faces)
-    for (const unsigned int vertex : mesh.face_vertices(face.minus))
-      {
-        const double travel = cut.edge.travel(mesh.vertices[vertex]);
-        entry               = std::min(entry, travel);
-        end                 = std::max(end, travel);
-      }
+  for (const auto &[vertex, travel] : travels_to_vertices(scene.body.mesh, cut))
+    {
+      entry = std::min(entry, travel);
+      end   = std::max(end, travel);
+    }
   parameters.require(scene.cut.notch < end - entry,
                      "Cut",
                      "Notch",

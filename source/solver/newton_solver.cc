@@ -31,24 +31,17 @@ try_part(const ElasticModel<dim> &model,
          std::optional<SolverError> &failure)
 {
   using Tangent = typename NewtonPath<dim>::Tangent;
+  std::optional<NewtonIterate> reached;
   for (const auto tangent : {Tangent::extrapolated, Tangent::exact})
-    try
-      {
-        failure.reset();
-        auto reached = path.go(from, part_of_from, part, tangent);
-        if (reached &&
-            find_smallest_volume(model, reached->displacement).ratio > 0 &&
-            !turns_over(model, from.displacement, reached->displacement))
-          return reached;
-      }
-    catch (const NotDefiniteError &)
-      {
-        // Not stable, as a failure of the steps may mean too.
-      }
-    catch (const SolverError &error)
-      {
-        failure.emplace(error);
-      }
+    if (succeeds(
+          [&] {
+            reached = path.go(from, part_of_from, part, tangent);
+            return reached && is_attainable(model,
+                                            from.displacement,
+                                            reached->displacement);
+          },
+          failure))
+      return reached;
   return {};
 }
 } // namespace

@@ -57,6 +57,28 @@ describe_softest_mode(const ElasticModel<dim> &model,
 } // namespace
 
 
+bool
+succeeds(const std::function<bool()> &attempt,
+         std::optional<SolverError> &failure)
+{
+  failure.reset();
+  try
+    {
+      return attempt();
+    }
+  catch (const NotDefiniteError &)
+    {
+      // As a failure of the steps may mean too.
+    }
+  catch (const SolverError &error)
+    {
+      failure.emplace(error);
+    }
+  return false;
+}
+
+
+
 double
 follow_in_parts(
   const std::function<std::optional<unsigned int>(double, double)> &go_on)

@@ -17,6 +17,7 @@ import tempfile
 
 import distortion
 import large_strain
+from two_bars import TWO_BARS
 
 PROGRAM = None
 TIME_LIMIT = 300
@@ -246,21 +247,9 @@ def blade_cases(table, base):
 
 def contrast_cases(table):
     """Two bars one behind the other: the soft one takes the whole strain."""
-    geo = """SetFactory("Built-in"); Mesh.ElementOrder = 2; Mesh.SecondOrderIncomplete = 1;
-Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,1,0}; Point(4) = {0,1,0};
-Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1};
-Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; Transfinite Curve{1:4} = 2;
-Transfinite Surface{1}; Recombine Surface{1};
-a[] = Extrude {0,0,1} { Surface{1}; Layers{2}; Recombine; };
-b[] = Extrude {0,0,1} { Surface{a[0]}; Layers{2}; Recombine; };
-Physical Volume("hard") = {a[1]}; Physical Volume("soft") = {b[1]};
-Physical Surface("bottom") = {1}; Physical Surface("top") = {b[0]};
-Physical Surface("back") = {a[2], b[2]}; Physical Surface("side") = {a[5], b[5]};
-"""
-
     def error(contrast, must_warn=False):
         directory = tempfile.TemporaryDirectory()
-        (pathlib.Path(directory.name) / "bars.geo").write_text(geo)
+        (pathlib.Path(directory.name) / "bars.geo").write_text(TWO_BARS)
         run = accepted(Run({
             "Body/Shape": "file", "Body/File": "bars.geo",
             "Material/Young's modulus": f"hard : {5 * contrast!r}; soft : 5",

@@ -6,6 +6,8 @@ import math
 import pathlib
 import re
 
+from two_bars import TWO_BARS
+
 E = 5.0
 BAR = {
     "Body/Size": "10, 10, 10", "Deformation/Strain": "finite",
@@ -136,20 +138,9 @@ def column_cases(table, run):
 
 def contrast_cases(table, run, directory_of):
     """A hard bar of the law of St. Venant and Kirchhoff below a soft one of neo-Hooke."""
-    geo = """SetFactory("Built-in"); Mesh.ElementOrder = 2; Mesh.SecondOrderIncomplete = 1;
-Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,1,0}; Point(4) = {0,1,0};
-Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1};
-Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; Transfinite Curve{1:4} = 2;
-Transfinite Surface{1}; Recombine Surface{1};
-a[] = Extrude {0,0,1} { Surface{1}; Layers{2}; Recombine; };
-b[] = Extrude {0,0,1} { Surface{a[0]}; Layers{2}; Recombine; };
-Physical Volume("hard") = {a[1]}; Physical Volume("soft") = {b[1]};
-Physical Surface("bottom") = {1}; Physical Surface("top") = {b[0]};
-"""
-
     def error(contrast):
         directory = directory_of()
-        (pathlib.Path(directory.name) / "bars.geo").write_text(geo)
+        (pathlib.Path(directory.name) / "bars.geo").write_text(TWO_BARS)
         traction = 5.0
         result = run({
             "Body/Shape": "file", "Body/File": "bars.geo", "Deformation/Strain": "finite",

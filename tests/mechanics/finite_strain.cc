@@ -9,17 +9,6 @@
 
 using namespace Setsudan;
 
-/** A displacement of which no direction is the same. */
-template <int dim>
-LA::Vector
-deformed(const Discretization<dim> &discretization, const double size)
-{
-  LA::Vector u = random_displacement(discretization);
-  u *= size;
-  return u;
-}
-
-
 /** The energy from which forces follow. */
 template <int dim>
 double

@@ -14,16 +14,6 @@ using namespace Setsudan;
 
 
 template <int dim>
-LA::Vector
-deformed(const Discretization<dim> &discretization, const double size)
-{
-  LA::Vector u = random_displacement(discretization);
-  u *= size;
-  return u;
-}
-
-
-template <int dim>
 void
 test_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {

@@ -28,6 +28,17 @@ random_displacement(const Discretization<dim> &discretization)
 }
 
 
+/** The same, of some size. */
+template <int dim>
+LA::Vector
+deformed(const Discretization<dim> &discretization, const double size)
+{
+  LA::Vector u = random_displacement(discretization);
+  u *= size;
+  return u;
+}
+
+
 /** Visit small models of all shapes, elements and materials that the kernels
  * tell apart.
  *

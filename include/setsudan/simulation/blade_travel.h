@@ -30,9 +30,6 @@ public:
          const unsigned int row,
          const State<dim> &from) override;
 
-  bool
-  moves_on(const State<dim> &state) const override;
-
   /** What the walls had stored they give back to the blade. */
   State<dim>
   finish(CutBody<dim> &body, const State<dim> &from) override;

@@ -39,7 +39,7 @@ public:
 
   /** Whether the blade's path goes on from a state in which the row does not
    * yield. */
-  virtual bool
+  bool
   moves_on(const State<dim> &state) const;
 
   /** The state right behind a split, in which the blade is where it was;

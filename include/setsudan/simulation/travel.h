@@ -21,6 +21,16 @@ template <int dim>
 void
 set_contact(const ContactPath<dim> &path, BladeMotion &motion);
 
+/** Let rows split where the blade is.
+ *
+ * @param released what they set free besides friction.
+ * @param taken by the new surface. */
+void
+book_split(const double released,
+           const double taken,
+           const double friction,
+           BladeMotion &motion);
+
 /** Let the blade be gone, to which the walls give back what they had stored.
  *
  * @param from the state before. */

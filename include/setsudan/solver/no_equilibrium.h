@@ -2,6 +2,7 @@
 #pragma once
 
 #include <setsudan/mechanics/elastic_model.h>
+#include <setsudan/parameters/exceptions.h>
 #include <setsudan/solver/solver_parameters.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -11,6 +12,14 @@
 
 namespace Setsudan
 {
+/** Whether an attempt to go on succeeds.
+ *
+ * @param failure of a linear solve that was in its way; is set. A tangent that
+ *   is not positive definite is none: the state would not be stable. */
+bool
+succeeds(const std::function<bool()> &attempt,
+         std::optional<SolverError> &failure);
+
 /**
  * Follow the way from one equilibrium to another: all of it at once, and where
  * that fails in parts, which are halved down to 1/256.

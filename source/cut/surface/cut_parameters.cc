@@ -229,6 +229,23 @@ CutParameters<dim>::CutParameters(const Parameters &parameters,
 
 
 
+template <int dim>
+std::vector<std::pair<unsigned int, double>>
+travels_to_vertices(const CoarseMesh<dim> &mesh, const Cut<dim> &cut)
+{
+  std::vector<std::pair<unsigned int, double>> travels;
+  for (const auto &face : cut.surface.faces)
+    for (const unsigned int vertex : mesh.face_vertices(face.minus))
+      travels.emplace_back(vertex, cut.edge.travel(mesh.vertices[vertex]));
+  return travels;
+}
+
+
+
+template std::vector<std::pair<unsigned int, double>>
+travels_to_vertices(const CoarseMesh<2> &, const Cut<2> &);
+template std::vector<std::pair<unsigned int, double>>
+travels_to_vertices(const CoarseMesh<3> &, const Cut<3> &);
 template struct CutParameters<2>;
 template struct CutParameters<3>;
 } // namespace Setsudan

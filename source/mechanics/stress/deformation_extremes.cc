@@ -374,6 +374,22 @@ turns_over(const ElasticModel<dim> &model,
 
 
 
+template <int dim>
+bool
+is_attainable(const ElasticModel<dim> &model,
+              const LA::Vector &from,
+              const LA::Vector &to)
+{
+  return find_smallest_volume(model, to).ratio > 0 &&
+         !turns_over(model, from, to);
+}
+
+
+
+template bool
+is_attainable(const ElasticModel<2> &, const LA::Vector &, const LA::Vector &);
+template bool
+is_attainable(const ElasticModel<3> &, const LA::Vector &, const LA::Vector &);
 template bool
 turns_over(const ElasticModel<2> &, const LA::Vector &, const LA::Vector &);
 template bool

@@ -7,6 +7,7 @@
 #include <setsudan/cut/surface/surface_choice.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Setsudan
@@ -21,6 +22,14 @@ struct Cut
   BladeEdge<dim> edge;
   EdgeLoads edge_loads;
 };
+
+/** How far the blade travels, from wherever, until its edge comes to a vertex
+ * of a cut; each vertex as often as it is a corner of a face.
+ *
+ * @param mesh before the cut is made. */
+template <int dim>
+std::vector<std::pair<unsigned int, double>>
+travels_to_vertices(const CoarseMesh<dim> &mesh, const Cut<dim> &cut);
 
 /** Subsection `Cut`: where the body is cut, one cut after the other. */
 template <int dim>

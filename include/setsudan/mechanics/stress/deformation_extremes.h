@@ -65,4 +65,12 @@ DeformationExtremes
 find_extremes(const Discretization<dim> &discretization,
               const MaterialParameters<dim> &materials,
               const LA::Vector &displacement);
+
+/** Whether a body can come from one displacement to another at once: all
+ * volumes are positive, and nothing turns over. Neither vector has ghosts. */
+template <int dim>
+bool
+is_attainable(const ElasticModel<dim> &model,
+              const LA::Vector &from,
+              const LA::Vector &to);
 } // namespace Setsudan
