@@ -198,38 +198,54 @@ ContactPath<dim>::violation(const std::vector<double> &measured,
 
 
 template <int dim>
-unsigned int
-ContactPath<dim>::n_unstable() const
+bool
+ContactPath<dim>::is_stable(const unsigned int n_negative) const
 {
-  std::vector<unsigned int> active;
+  // Those that hold, and springs that the body does not have.
+  std::vector<unsigned int> present;
+  unsigned int n_springs = 0;
   for (unsigned int i = 0; i < conditions.size(); ++i)
-    if (piece.active[i])
-      active.push_back(i);
-  LAPACKFullMatrix<double> block(active.size());
+    if (piece.active[i] || conditions[i].spring > 0)
+      {
+        present.push_back(i);
+        n_springs += piece.active[i] ? 0 : 1;
+      }
+  if (present.empty())
+    return n_negative == 0;
+  LAPACKFullMatrix<double> block(present.size());
   double largest = 0;
-  for (unsigned int i = 0; i < active.size(); ++i)
-    for (unsigned int j = 0; j < active.size(); ++j)
-      for (const auto &[a, measured] : conditions[active[i]].measured)
-        for (const auto &[b, exerted] : conditions[active[j]].exerted)
-          {
-            const double product =
-              measured * exerted * stage->products(a, b) / 2;
-            block(i, j) += product;
-            block(j, i) += product;
-            largest = std::max(largest, std::abs(block(i, j)));
-          }
-  if (active.empty())
-    return 0;
+  for (unsigned int i = 0; i < present.size(); ++i)
+    for (unsigned int j = 0; j < present.size(); ++j)
+      {
+        const Condition &other = conditions[present[j]];
+        for (const auto &[a, measured] : conditions[present[i]].measured)
+          for (const auto &[b, exerted] :
+               piece.active[present[j]] ? other.exerted : other.measured)
+            {
+              const double product =
+                measured * exerted * stage->products(a, b) / 2;
+              block(i, j) += product;
+              block(j, i) += product;
+              largest = std::max(largest, std::abs(block(i, j)));
+            }
+      }
+  for (unsigned int i = 0; i < present.size(); ++i)
+    if (!piece.active[present[i]])
+      {
+        const double length = 1 / conditions[present[i]].spring;
+        block(i, i) -= length;
+        largest = std::max(largest, length);
+      }
   // Some conditions may follow from others.
   constexpr double round_off = 1e-10;
   Vector<double> eigenvalues;
   FullMatrix<double> eigenvectors;
-  block.compute_eigenvalues_symmetric(-2 * largest * active.size(),
+  block.compute_eigenvalues_symmetric(-2 * largest * present.size(),
                                       -round_off * largest,
                                       0.,
                                       eigenvalues,
                                       eigenvectors);
-  return eigenvalues.size();
+  return eigenvalues.size() == n_negative + n_springs;
 }
 
 
@@ -269,7 +285,7 @@ ContactPath<dim>::work_to_fulfil(const std::vector<double> &measured,
   template std::vector<double> ContactPath<dim>::forces(const double) const; \
   template std::vector<double> ContactPath<dim>::foundation_forces(          \
     const double) const;                                                     \
-  template unsigned int ContactPath<dim>::n_unstable() const;                \
+  template bool ContactPath<dim>::is_stable(const unsigned int) const;       \
   template double ContactPath<dim>::work_to_fulfil(                          \
     const std::vector<double> &, const double) const;                        \
   template std::array<double, 2> ContactPath<dim>::violation(                \

@@ -250,6 +250,17 @@ ContactBase<dim>::board_load(const ContactPath<dim> &path,
 
 
 
+template <int dim>
+void
+ContactBase<dim>::measure_board(State<dim> &state) const
+{
+  if (state.board)
+    state.board->passed =
+      depth_beyond_board(body.model(), body.scene().board, state.displacement);
+}
+
+
+
 template double
 shortest_row(const CutBody<2> &);
 template double

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -35,18 +36,35 @@ NonlinearContact<dim>::Way::Way(const NonlinearContact &contact,
   , n_ahead(n_ahead)
   , motion(motion)
   , begin_of_travel(from.travel)
+  , springs(contact.springs())
   , lacking(model.loads)
+  , lacking_displacement(model.lift)
   , size_of_forces(from.internal.forces.l2_norm())
-  , solver(model,
-           constraints,
-           contact.body.scene().solver,
-           choose_assembled(contact.body.scene().solver,
-                            size_of(model.discretization)))
+  , solver(make_solver(choose_assembled(contact.body.scene().solver,
+                                        size_of(model.discretization))))
 {
   // Of rows that split, contact is another one.
   if (from.path && from.n_split == n_split)
-    lacking += contact.forces_on_body(*from.path, from.travel);
+    lacking += contact.on_body(from.path->forces(from.travel));
   lacking -= from.internal.forces;
+  lacking_displacement -= from.displacement;
+  for (const auto unknown : model.discretization.owned)
+    if (!model.supported.is_element(unknown))
+      lacking_displacement(unknown) = 0;
+  lacking_displacement.compress(VectorOperation::insert);
+  constexpr double round_off = 1e-14;
+  if (lacking_displacement.linfty_norm() <=
+      round_off * model.lift.linfty_norm())
+    lacking_displacement = 0;
+}
+
+
+
+template <int dim>
+AssembledSolver<dim>
+NonlinearContact<dim>::Way::make_solver(const SolverKind kind) const
+{
+  return {model, constraints, contact.body.scene().solver, kind, springs};
 }
 
 
@@ -64,14 +82,19 @@ NonlinearContact<dim>::Way::loads_at(const double part) const
 
 template <int dim>
 typename NonlinearContact<dim>::Way::Iterate
-NonlinearContact<dim>::Way::step(const Iterate &about, const double part)
+NonlinearContact<dim>::Way::step(const Iterate &about,
+                                 const double part,
+                                 const LA::Vector &prescribed)
 {
   constexpr double smallest = 1e-3, largest = 10, factor = 4;
   is_exact = true;
   try
     {
       solver.linearize({&about.displacement});
-      return solve_tangent(solver, about, part);
+      Iterate next = solve_tangent(solver, about, part, prescribed);
+      // Springs may be what holds it.
+      if (springs.empty() || next.path->is_stable(0))
+        return next;
     }
   catch (const NotDefiniteError &)
     {
@@ -80,14 +103,12 @@ NonlinearContact<dim>::Way::step(const Iterate &about, const double part)
   try
     {
       if (!indefinite_solver)
-        indefinite_solver =
-          std::make_unique<AssembledSolver<dim>>(model,
-                                                 constraints,
-                                                 contact.body.scene().solver,
-                                                 SolverKind::indefinite);
+        indefinite_solver = std::make_unique<AssembledSolver<dim>>(
+          make_solver(SolverKind::indefinite));
       indefinite_solver->linearize({&about.displacement});
-      Iterate next = solve_tangent(*indefinite_solver, about, part);
-      if (next.path->n_unstable() == indefinite_solver->n_negative())
+      Iterate next = solve_tangent(*indefinite_solver, about, part, prescribed);
+      const auto n_negative = indefinite_solver->n_negative();
+      if (n_negative && next.path->is_stable(*n_negative))
         return next;
     }
   catch (const SolverError &)
@@ -100,7 +121,7 @@ NonlinearContact<dim>::Way::step(const Iterate &about, const double part)
     try
       {
         solver.linearize({&about.displacement}, shift);
-        return solve_tangent(solver, about, part);
+        return solve_tangent(solver, about, part, prescribed);
       }
     catch (const NotDefiniteError &)
       {
@@ -114,7 +135,8 @@ template <int dim>
 typename NonlinearContact<dim>::Way::Iterate
 NonlinearContact<dim>::Way::solve_tangent(AssembledSolver<dim> &solver,
                                           const Iterate &about,
-                                          const double part)
+                                          const double part,
+                                          const LA::Vector &prescribed)
 {
   const auto &all       = contact.basis.vectors();
   const LA::Vector zero = model.discretization.zero_vector();
@@ -122,6 +144,11 @@ NonlinearContact<dim>::Way::solve_tangent(AssembledSolver<dim> &solver,
   residual -= about.internal.forces;
   Iterate next;
   next.displacement = about.displacement;
+  next.displacement += prescribed;
+  if (prescribed.linfty_norm() > 0)
+    residual -= tangent_times(model, about.displacement, prescribed);
+  if (!springs.empty())
+    residual -= spring_forces(springs, next.displacement);
   next.displacement += solver.increment(residual, zero, quality);
 
   // What forces along the vectors do to each other.
@@ -150,8 +177,18 @@ NonlinearContact<dim>::Way::solve_tangent(AssembledSolver<dim> &solver,
   moved.travel      = travel_at(part);
   next.path         = contact.make_path(
     of_blade, n_split, n_ahead, products, untouched, moved, about.path.get());
-  next.contact_forces = contact.forces_on_body(*next.path, moved.travel);
-  const auto forces   = next.path->forces(moved.travel);
+  auto forces         = next.path->forces(moved.travel);
+  next.contact_forces = contact.on_body(forces);
+  if (!springs.empty())
+    {
+      const auto of_springs  = next.path->foundation_forces(moved.travel);
+      next.foundation_forces = contact.on_body(of_springs);
+      std::transform(forces.begin(),
+                     forces.end(),
+                     of_springs.begin(),
+                     forces.begin(),
+                     std::plus<double>());
+    }
   for (const auto &[v, displacement] : displacements)
     if (forces[v] != 0)
       next.displacement.add(forces[v], displacement);
@@ -177,6 +214,12 @@ NonlinearContact<dim>::Way::evaluate(Iterate &iterate, const double part) const
                                  size_of_forces});
   residual += iterate.contact_forces;
   residual -= iterate.internal.forces;
+  if (!springs.empty())
+    {
+      // What is left of the springs.
+      residual += iterate.foundation_forces;
+      residual -= spring_forces(springs, iterate.displacement);
+    }
   iterate.residual = condense(constraints, residual).l2_norm();
   iterate.relative_residual =
     scale > 0 ? iterate.residual / scale : iterate.residual;
@@ -225,18 +268,31 @@ NonlinearContact<dim>::Way::search(const Iterate &from,
 
 template <int dim>
 std::optional<ContactEquilibrium<dim>>
-NonlinearContact<dim>::Way::go(const Equilibrium &from, const double part)
+NonlinearContact<dim>::Way::go(const Equilibrium &from,
+                               const double behind,
+                               const double part)
 {
-  Iterate before{from.displacement, from.path, {}, from.internal};
-  before.potential = from.internal.energy +
+  LA::Vector prescribed = lacking_displacement;
+  prescribed *= part - behind;
+  Iterate before;
+  before.displacement = from.displacement;
+  before.path         = from.path;
+  before.internal     = from.internal;
+  before.potential    = from.internal.energy +
                      from.internal.potential_of_pressure -
                      loads_at(part) * from.displacement;
   for (unsigned int n = 1; n <= most_steps; ++n)
     {
-      const Iterate to = step(before, part);
-      auto found       = search(before, to, part);
+      const bool moves_supports = prescribed.linfty_norm() > 0;
+      Iterate to                = step(before, part, prescribed);
+      std::optional<Iterate> found;
+      if (!moves_supports)
+        found = search(before, to, part);
+      else if (evaluate(to, part); std::isfinite(to.internal.energy))
+        found = std::move(to);
       if (!found)
         return {};
+      prescribed              = 0;
       Iterate next            = std::move(*found);
       const bool is_round_off = (next.relative_residual < failure_threshold ||
                                  next.residual <= solver.round_off()) &&

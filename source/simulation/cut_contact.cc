@@ -158,9 +158,7 @@ CutContact<dim>::state(const ContactPath<dim> &path,
                                      1,
                                      guess,
                                      this->board_load(path, travel));
-      if (state.board)
-        state.board->passed = depth_beyond_board(
-          body.model(), body.scene().board, state.displacement);
+      this->measure_board(state);
       return state;
     }
   const State<dim> state =
@@ -212,24 +210,6 @@ CutContact<dim>::check(const ContactPath<dim> &path,
 
 
 
-template <int dim>
-State<dim>
-state_on_board(CutBody<dim> &body, const State<dim> &from)
-{
-  const BladeProfile no_blade;
-  CutContact<dim> contact(body, no_blade, from.displacement);
-  State<dim> state = contact.state(
-    *contact.path_without_blade({}, nullptr), 0, 0, from.displacement);
-  state.motion = from.motion;
-  return state;
-}
-
-
-
 template class CutContact<2>;
 template class CutContact<3>;
-template State<2>
-state_on_board(CutBody<2> &, const State<2> &);
-template State<3>
-state_on_board(CutBody<3> &, const State<3> &);
 } // namespace Setsudan

@@ -25,11 +25,19 @@ NonlinearContact<dim>::NonlinearContact(CutBody<dim> &body,
 
 template <int dim>
 LA::Vector
-NonlinearContact<dim>::forces_on_body(const ContactPath<dim> &path,
-                                      const double travel) const
+NonlinearContact<dim>::on_body(const std::vector<double> &forces) const
 {
   return this->nodal_forces(
-    this->on_unknowns(path.forces(travel), 0, basis.vectors().size()));
+    this->on_unknowns(forces, 0, basis.vectors().size()));
+}
+
+
+
+template <int dim>
+std::vector<UnknownForces>
+NonlinearContact<dim>::springs() const
+{
+  return body.board() ? body.board()->springs() : std::vector<UnknownForces>();
 }
 
 
@@ -47,11 +55,11 @@ NonlinearContact<dim>::follow(const BladeProfile &of_blade,
   unsigned int n_steps = 0;
   std::optional<SolverError> failure;
   const double reached = follow_in_parts(
-    [&](const double, const double part) -> std::optional<unsigned int> {
+    [&](const double behind, const double part) -> std::optional<unsigned int> {
       std::optional<Equilibrium> next;
       if (!succeeds(
             [&] {
-              next = way.go(last, part);
+              next = way.go(last, behind, part);
               return next.has_value();
             },
             failure))
@@ -120,14 +128,18 @@ State<dim>
 NonlinearContact<dim>::state(const Equilibrium &equilibrium,
                              const unsigned int row) const
 {
-  State<dim> state = loaded_state(
-    body, this->blade_load(*equilibrium.path, row, equilibrium.travel), 1);
+  State<dim> state =
+    loaded_state(body,
+                 this->blade_load(*equilibrium.path, row, equilibrium.travel),
+                 1,
+                 this->board_load(*equilibrium.path, equilibrium.travel));
   set_solution(body.model(),
                {equilibrium.displacement,
                 equilibrium.internal.forces,
                 equilibrium.quality,
                 equilibrium.n_steps},
                state);
+  this->measure_board(state);
   return state;
 }
 

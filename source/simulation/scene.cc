@@ -173,7 +173,8 @@ check_board(const Parameters &parameters, const Scene<dim> &scene)
     scene.accuracy.target == 0, "Accuracy", "Target", "0 on a board");
   // Of the springs that carry the body meanwhile other solvers know nothing.
   parameters.require(scene.solver.cut_solve !=
-                       SolverParameters::CutSolve::row_by_row,
+                         SolverParameters::CutSolve::row_by_row ||
+                       scene.material.finite_strain,
                      "Division",
                      "Solve",
                      "auto or condensed on a board, whose contact is found "
@@ -222,8 +223,6 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
                      "Travel",
                      "positions that ascend where there is friction and "
                      "Deformation/Strain is finite");
-  parameters.require(
-    !scene.board.is_given, "Board", "Plane", "nothing" + where);
   parameters.require(
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
   parameters.require(

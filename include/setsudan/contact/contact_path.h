@@ -141,11 +141,14 @@ public:
   std::array<double, 2>
   violation(const std::vector<double> &measured, const double travel) const;
 
-  /** How many eigenvalues the compliance of the active conditions has that are
-   * negative. A body whose stiffness has as many is stable while these hold:
-   * on all motions that leave their gaps closed the stiffness is positive. */
-  unsigned int
-  n_unstable() const;
+  /** Whether the body is stable while the active conditions hold: whether its
+   * stiffness is positive on all motions that leave their gaps closed. So it is
+   * where the compliance of these has as many negative eigenvalues as the
+   * stiffness, and one more for each spring that is taken out.
+   *
+   * @param n_negative eigenvalues of the stiffness with all springs. */
+  bool
+  is_stable(const unsigned int n_negative) const;
 
   /** What the multipliers would do along the gaps by which a displacement
    * violates their conditions: at least as much does the energy of the body

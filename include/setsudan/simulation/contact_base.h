@@ -64,6 +64,10 @@ protected:
   std::optional<BoardLoad<dim>>
   board_load(const ContactPath<dim> &path, const double travel) const;
 
+  /** Say how far a state has passed its board. */
+  void
+  measure_board(State<dim> &state) const;
+
   /** Forces on some vectors of the basis, as forces on the unknowns. */
   std::map<dealii::types::global_dof_index, double>
   on_unknowns(const std::vector<double> &forces,

@@ -6,12 +6,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace Setsudan
 {
-/** The way from one equilibrium to another: the blade moves, and what the
- * forces lack where it begins, as those of ties that are released, is taken off
- * in proportion. */
+/** The way from one equilibrium to another: the blade moves, and what forces
+ * and displacements lack where it begins, as those of ties that are released or
+ * of supports that are moved, is made up for in proportion. */
 template <int dim>
 class NonlinearContact<dim>::Way
 {
@@ -26,11 +27,11 @@ public:
       const BladeMotion &motion,
       const Equilibrium &from);
 
-  /** Go on to a part of the way; nothing where that fails.
+  /** Go on from one part of the way to another; nothing where that fails.
    *
    * @throw NotDefiniteError where the tangent is not positive definite. */
   std::optional<Equilibrium>
-  go(const Equilibrium &from, const double part);
+  go(const Equilibrium &from, const double behind, const double part);
 
   const typename CutBody<dim>::Constraints constraints;
 
@@ -42,6 +43,9 @@ private:
     LA::Vector displacement;
     std::shared_ptr<const ContactPath<dim>> path;
     LA::Vector contact_forces;
+    /** What takes the springs out, see Foundation; empty where there are none.
+     */
+    LA::Vector foundation_forces;
     InternalForces internal;
     /** Under the loads of a part of the way. */
     double potential = 0;
@@ -50,6 +54,10 @@ private:
     double residual          = 0;
     double relative_residual = 0;
   };
+
+  /** See AssembledSolver. */
+  AssembledSolver<dim>
+  make_solver(const SolverKind kind) const;
 
   /** The loads when a part of the way is behind. */
   LA::Vector
@@ -63,15 +71,18 @@ private:
 
   /** Where the tangent about a displacement is in equilibrium with its contact:
    * displacement and forces. A tangent that is not positive definite, even with
-   * contact, gets as much on its diagonal as it takes. */
+   * contact, gets as much on its diagonal as it takes.
+   *
+   * @param prescribed how supports move. */
   Iterate
-  step(const Iterate &about, const double part);
+  step(const Iterate &about, const double part, const LA::Vector &prescribed);
 
   /** The same for the tangent that a solver has. */
   Iterate
   solve_tangent(AssembledSolver<dim> &solver,
                 const Iterate &about,
-                const double part);
+                const double part,
+                const LA::Vector &prescribed);
 
   /** What the laws say about a displacement. */
   void
@@ -89,8 +100,11 @@ private:
   const unsigned int n_ahead;
   const BladeMotion motion;
   const double begin_of_travel;
-  /** The residual at the beginning. */
+  const std::vector<UnknownForces> springs;
+  /** The residual at the beginning, and what is prescribed and lacking there.
+   */
   LA::Vector lacking;
+  LA::Vector lacking_displacement;
   double size_of_forces;
   AssembledSolver<dim> solver;
   /** Of tangents that are not positive definite; made where there are any. */

@@ -92,11 +92,4 @@ private:
   const unsigned int last_stage;
   const std::unique_ptr<StageCompliance<dim>> compliance;
 };
-
-/** A body without a cut as it lies on its board.
- *
- * @param from whose displacement is near it. */
-template <int dim>
-State<dim>
-state_on_board(CutBody<dim> &body, const State<dim> &from);
 } // namespace Setsudan

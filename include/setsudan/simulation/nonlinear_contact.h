@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace Setsudan
 {
@@ -63,8 +64,7 @@ public:
 
   /** The equilibrium from which all others are reached.
    *
-   * @param displacement near it, without ghosts, which has what is prescribed.
-   */
+   * @param displacement near it, without ghosts. */
   Equilibrium
   begin(const unsigned int n_split,
         const unsigned int n_ahead,
@@ -85,7 +85,8 @@ public:
         const BladeMotion &motion,
         const Equilibrium &from) const;
 
-  /** The same with all rows split and the blade gone. */
+  /** The same with all rows split and the blade gone; of a body without a cut,
+   * on its board. */
   Equilibrium
   without_blade(const BladeMotion &motion, const Equilibrium &from) const;
 
@@ -96,8 +97,14 @@ public:
 private:
   class Way;
 
+  /** Forces along the vectors of contact, on all unknowns. */
   LA::Vector
-  forces_on_body(const ContactPath<dim> &path, const double travel) const;
+  on_body(const std::vector<double> &forces) const;
+
+  /** The springs that carry the body while its contacts with a board are looked
+   * for, see BoardContacts. */
+  std::vector<UnknownForces>
+  springs() const;
 
   Equilibrium
   follow(const BladeProfile &of_blade,

@@ -53,9 +53,9 @@ private:
      * what is required. */
     bool is_judged      = false;
     unsigned int n_rows = 1;
-    CuttingStress stress;
+    CuttingStress stress = {};
     /** With so many more rows split. */
-    std::vector<Equilibrium> trials;
+    std::vector<Equilibrium> trials = {};
 
     /** By how much what drives exceeds what is required, relative to that. */
     double

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/solver/condensed/unknown_forces.h>
 #include <setsudan/solver/constrained_solver.h>
 #include <setsudan/solver/linear/linear_solver.h>
 #include <setsudan/solver/solver_choice.h>
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace Setsudan
 {
@@ -19,11 +21,15 @@ public:
   /** As the base. In a linear body it is ready; in others linearize() comes
    * first.
    *
-   * @param kind any of which the matrix is assembled. */
+   * @param kind any of which the matrix is assembled.
+   * @param springs stiffness beside that of the elements, v v^T for each v, the
+   *   same on all processes; the unknowns of each are those of cells around a
+   *   vertex. */
   AssembledSolver(const ElasticModel<dim> &model,
                   const dealii::AffineConstraints<double> &constraints,
                   const SolverParameters &parameters,
-                  const SolverKind kind);
+                  const SolverKind kind,
+                  std::vector<UnknownForces> springs = {});
 
   /** Take the tangent about another displacement.
    *
@@ -61,7 +67,16 @@ private:
   using ConstrainedSolver<dim>::constraints;
   using ConstrainedSolver<dim>::accepted;
 
+  /** Keep the springs that this process adds: each has one that knows the
+   * constraints of all of its unknowns. */
+  void
+  share_out_springs();
+
+  void
+  add_springs();
+
   const SolverKind kind;
+  std::vector<UnknownForces> springs;
   LA::SparseMatrix matrix;
   /** Behind the matrix, which must outlive it. */
   std::unique_ptr<LinearSolver> solver;

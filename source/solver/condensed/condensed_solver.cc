@@ -313,9 +313,21 @@ CondensedSolver<dim>::solve(const LA::Vector &forces,
   solution.internal = forces;
   solution.internal -= residual;
   if (!foundation.empty())
-    solution.internal -= foundation_forces(x);
+    solution.internal -= spring_forces(foundation, x);
   solution.quality = check_quality(x, residual, scale, system);
   return solution;
+}
+
+
+
+template <int dim>
+LA::Vector
+CondensedSolver<dim>::resisting_forces(const LA::Vector &displacement) const
+{
+  LA::Vector forces = internal_forces(model, displacement);
+  if (!foundation.empty())
+    forces += spring_forces(foundation, displacement);
+  return forces;
 }
 
 

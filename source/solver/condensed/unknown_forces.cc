@@ -31,4 +31,21 @@ work_of(const std::vector<UnknownForces> &forces,
   Utilities::MPI::sum(work, displacement.get_mpi_communicator(), work);
   return work;
 }
+
+
+
+LA::Vector
+spring_forces(const std::vector<UnknownForces> &springs,
+              const LA::Vector &displacement)
+{
+  LA::Vector forces  = displacement;
+  forces             = 0;
+  const auto lengths = work_of(springs, displacement);
+  for (unsigned int i = 0; i < springs.size(); ++i)
+    for (const auto &[unknown, factor] : springs[i])
+      if (forces.in_local_range(unknown))
+        forces(unknown) += factor * lengths[i];
+  forces.compress(VectorOperation::add);
+  return forces;
+}
 } // namespace Setsudan

@@ -109,11 +109,7 @@ private:
   void
   condense_onto_cut(const LA::SparseMatrix &matrix);
 
-  /** What the foundation resists a displacement with. */
-  LA::Vector
-  foundation_forces(const LA::Vector &displacement) const;
-
-  /** The same with what the body does. */
+  /** What body and foundation resist a displacement with. */
   LA::Vector
   resisting_forces(const LA::Vector &displacement) const;
 

@@ -23,4 +23,10 @@ vector_of(const UnknownForces &forces, LA::Vector zero);
 std::vector<double>
 work_of(const std::vector<UnknownForces> &forces,
         const LA::Vector &displacement);
+
+/** The forces with which springs resist a displacement without ghosts: along
+ * each vector, the same on all processes, its work; called by all of them. */
+LA::Vector
+spring_forces(const std::vector<UnknownForces> &springs,
+              const LA::Vector &displacement);
 } // namespace Setsudan
