@@ -158,44 +158,33 @@ internal_forces(const Discretization<dim> &discretization,
 
 template <int dim>
 void
-reinit_matrix(const Discretization<dim> &discretization,
-              const AffineConstraints<double> &constraints,
-              const std::vector<std::vector<types::global_dof_index>> &coupled,
-              LA::SparseMatrix &matrix)
-{
-  const IndexSet &owned       = discretization.owned;
-  const MPI_Comm communicator = discretization.communicator;
-  // The pattern has a row for all that a constraint of this process names:
-  // with fewer, entries are lost without a word.
-  const IndexSet &rows = constraints.get_local_lines();
-  DynamicSparsityPattern pattern(rows);
-  DoFTools::make_sparsity_pattern(
-    discretization.dof_handler,
-    pattern,
-    constraints,
-    false,
-    discretization.triangulation.locally_owned_subdomain());
-  for (const auto &unknowns : coupled)
-    constraints.add_entries_local_to_global(unknowns, pattern, false);
-  SparsityTools::distribute_sparsity_pattern(
-    pattern, owned, communicator, rows);
-  matrix.reinit(owned, owned, pattern, communicator);
-}
-
-
-
-template <int dim>
-void
 assemble_matrix(const Discretization<dim> &discretization,
                 const std::function<const FullMatrix<double> &(
                   const typename Discretization<dim>::Cell &)> &matrix_of_cell,
                 const AffineConstraints<double> &constraints,
                 LA::SparseMatrix &matrix)
 {
+  const IndexSet &owned       = discretization.owned;
+  const MPI_Comm communicator = discretization.communicator;
+
   if (matrix.m() == discretization.dof_handler.n_dofs())
     matrix = 0;
   else
-    reinit_matrix(discretization, constraints, {}, matrix);
+    {
+      // The pattern has a row for all that a constraint of this process names:
+      // with fewer, entries are lost without a word.
+      const IndexSet &rows = constraints.get_local_lines();
+      DynamicSparsityPattern pattern(rows);
+      DoFTools::make_sparsity_pattern(
+        discretization.dof_handler,
+        pattern,
+        constraints,
+        false,
+        discretization.triangulation.locally_owned_subdomain());
+      SparsityTools::distribute_sparsity_pattern(
+        pattern, owned, communicator, rows);
+      matrix.reinit(owned, owned, pattern, communicator);
+    }
 
   std::vector<types::global_dof_index> indices(
     discretization.fe.n_dofs_per_cell());
@@ -249,16 +238,6 @@ template LA::Vector
 internal_forces(const Discretization<3> &,
                 const ElementStiffness<3> &,
                 const LA::Vector &);
-template void
-reinit_matrix(const Discretization<2> &,
-              const AffineConstraints<double> &,
-              const std::vector<std::vector<types::global_dof_index>> &,
-              LA::SparseMatrix &);
-template void
-reinit_matrix(const Discretization<3> &,
-              const AffineConstraints<double> &,
-              const std::vector<std::vector<types::global_dof_index>> &,
-              LA::SparseMatrix &);
 template void
 assemble_matrix(const Discretization<2> &,
                 const std::function<const FullMatrix<double> &(

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -40,8 +38,8 @@ NonlinearContact<dim>::Way::Way(const NonlinearContact &contact,
   , lacking(model.loads)
   , lacking_displacement(model.lift)
   , size_of_forces(from.internal.forces.l2_norm())
-  , solver(make_solver(choose_assembled(contact.body.scene().solver,
-                                        size_of(model.discretization))))
+  , vectors(contact.basis.vectors_of_stage(n_split, n_ahead))
+  , tangent(model, constraints, vectors_here(), springs)
 {
   // Of rows that split, contact is another one.
   if (from.path && from.n_split == n_split)
@@ -61,10 +59,13 @@ NonlinearContact<dim>::Way::Way(const NonlinearContact &contact,
 
 
 template <int dim>
-AssembledSolver<dim>
-NonlinearContact<dim>::Way::make_solver(const SolverKind kind) const
+std::vector<UnknownForces>
+NonlinearContact<dim>::Way::vectors_here() const
 {
-  return {model, constraints, contact.body.scene().solver, kind, springs};
+  std::vector<UnknownForces> here;
+  for (const unsigned int v : vectors)
+    here.push_back(contact.basis.vectors()[v]);
+  return here;
 }
 
 
@@ -90,38 +91,24 @@ NonlinearContact<dim>::Way::step(const Iterate &about,
   is_exact = true;
   try
     {
-      solver.linearize({&about.displacement});
-      Iterate next = solve_tangent(solver, about, part, prescribed);
-      // Springs may be what holds it.
-      if (springs.empty() || next.path->is_stable(0))
+      tangent.linearize(about.displacement);
+      Iterate next = solve_tangent(about, part, prescribed);
+      // It may be so that contact holds.
+      if (next.path->is_stable(tangent.n_negative()))
         return next;
     }
   catch (const NotDefiniteError &)
     {
-    }
-  // It may be so that contact holds.
-  try
-    {
-      if (!indefinite_solver)
-        indefinite_solver = std::make_unique<AssembledSolver<dim>>(
-          make_solver(SolverKind::indefinite));
-      indefinite_solver->linearize({&about.displacement});
-      Iterate next = solve_tangent(*indefinite_solver, about, part, prescribed);
-      const auto n_negative = indefinite_solver->n_negative();
-      if (n_negative && next.path->is_stable(*n_negative))
-        return next;
-    }
-  catch (const SolverError &)
-    {
-      // No contact holds it.
+      // Not even then.
     }
   // What ties have held upright may be nowhere near an equilibrium.
   is_exact = false;
   for (double shift = smallest; shift < largest; shift *= factor)
     try
       {
-        solver.linearize({&about.displacement}, shift);
-        return solve_tangent(solver, about, part, prescribed);
+        tangent.linearize(about.displacement, shift);
+        if (tangent.n_negative() == 0)
+          return solve_tangent(about, part, prescribed);
       }
     catch (const NotDefiniteError &)
       {
@@ -133,65 +120,48 @@ NonlinearContact<dim>::Way::step(const Iterate &about,
 
 template <int dim>
 typename NonlinearContact<dim>::Way::Iterate
-NonlinearContact<dim>::Way::solve_tangent(AssembledSolver<dim> &solver,
-                                          const Iterate &about,
+NonlinearContact<dim>::Way::solve_tangent(const Iterate &about,
                                           const double part,
-                                          const LA::Vector &prescribed)
+                                          const LA::Vector &prescribed) const
 {
-  const auto &all       = contact.basis.vectors();
-  const LA::Vector zero = model.discretization.zero_vector();
-  LA::Vector residual   = loads_at(part);
+  const auto &all     = contact.basis.vectors();
+  LA::Vector residual = loads_at(part);
   residual -= about.internal.forces;
-  Iterate next;
-  next.displacement = about.displacement;
-  next.displacement += prescribed;
+  LA::Vector begin = about.displacement;
+  begin += prescribed;
   if (prescribed.linfty_norm() > 0)
     residual -= tangent_times(model, about.displacement, prescribed);
   if (!springs.empty())
-    residual -= spring_forces(springs, next.displacement);
-  next.displacement += solver.increment(residual, zero, quality);
+    residual -= spring_forces(springs, begin);
+  LA::Vector without_contact = begin;
+  without_contact += tangent.increment(residual);
 
-  // What forces along the vectors do to each other.
-  std::map<unsigned int, LA::Vector> displacements;
-  LAPACKFullMatrix<double> products(all.size());
-  for (const unsigned int v : contact.basis.vectors_of_stage(n_split, n_ahead))
-    {
-      const LA::Vector force = vector_of(all[v], zero);
-      // On ties or supports alone it moves nothing.
-      constexpr double nothing_left = 1e-13;
-      if (condense(constraints, force).l2_norm() <=
-          nothing_left * force.l2_norm())
-        continue;
-      displacements[v] = solver.increment(force, zero, quality);
-      const auto work  = work_of(all, displacements[v]);
-      for (unsigned int w = v; w < all.size(); ++w)
-        products(w, v) = work[w];
-    }
-  const unsigned int n = all.size();
+  const unsigned int n     = all.size();
+  const auto products_here = tangent.products();
+  LAPACKFullMatrix<double> products(n);
+  for (unsigned int i = 0; i < vectors.size(); ++i)
+    for (unsigned int j = 0; j < vectors.size(); ++j)
+      products(vectors[i], vectors[j]) = products_here(i, j);
   UntouchedBody untouched{{Vector<double>(n), Vector<double>(n)}, {}};
-  const auto measured = work_of(all, next.displacement);
+  const auto measured = work_of(all, without_contact);
   std::copy(
     measured.begin(), measured.end(), untouched.displacements.constant.begin());
 
   BladeMotion moved = motion;
   moved.travel      = travel_at(part);
-  next.path         = contact.make_path(
+  Iterate next;
+  next.path = contact.make_path(
     of_blade, n_split, n_ahead, products, untouched, moved, about.path.get());
-  auto forces         = next.path->forces(moved.travel);
-  next.contact_forces = contact.on_body(forces);
+  next.contact_forces = contact.on_body(next.path->forces(moved.travel));
+  residual += next.contact_forces;
   if (!springs.empty())
     {
-      const auto of_springs  = next.path->foundation_forces(moved.travel);
-      next.foundation_forces = contact.on_body(of_springs);
-      std::transform(forces.begin(),
-                     forces.end(),
-                     of_springs.begin(),
-                     forces.begin(),
-                     std::plus<double>());
+      next.foundation_forces =
+        contact.on_body(next.path->foundation_forces(moved.travel));
+      residual += next.foundation_forces;
     }
-  for (const auto &[v, displacement] : displacements)
-    if (forces[v] != 0)
-      next.displacement.add(forces[v], displacement);
+  next.displacement = begin;
+  next.displacement += tangent.increment(residual);
   return next;
 }
 
@@ -258,7 +228,7 @@ NonlinearContact<dim>::Way::search(const Iterate &from,
                          length * (penalty - least_share * fall);
       // Forces of friction have no energy, and round-off has none to tell.
       if (falls || tried.residual < from.residual ||
-          tried.residual <= solver.round_off())
+          tried.residual <= tangent.round_off())
         return tried;
     }
   return {};
@@ -295,7 +265,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from,
       prescribed              = 0;
       Iterate next            = std::move(*found);
       const bool is_round_off = (next.relative_residual < failure_threshold ||
-                                 next.residual <= solver.round_off()) &&
+                                 next.residual <= tangent.round_off()) &&
                                 (n == 1 || next.residual > before.residual / 4);
       if (is_exact &&
           (next.relative_residual <= contact.body.scene().solver.tolerance ||

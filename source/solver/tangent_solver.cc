@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
 #include <setsudan/solver/tangent_solver.h>
 
 #include <setsudan/solver/linear/linear_solver.h>
@@ -8,6 +10,7 @@
 
 namespace Setsudan
 {
+using namespace dealii;
 
 SolveQuality
 combine(const SolveQuality &a, const SolveQuality &b)
@@ -67,6 +70,21 @@ iterative_refinement(LA::Vector &x,
 
 
 
+template <int dim>
+double
+round_off_of_forces(const Discretization<dim> &discretization,
+                    const double norm_of_matrix)
+{
+  double squares = 0;
+  for (const auto &[position, component] : discretization.dof_locations())
+    squares += position[component] * position[component];
+  squares = Utilities::MPI::sum(squares, discretization.communicator);
+  return std::numeric_limits<double>::epsilon() * norm_of_matrix *
+         std::sqrt(squares);
+}
+
+
+
 void
 check_loads(const double norm)
 {
@@ -91,4 +109,11 @@ quality_of(const LA::Vector &x,
     largest > 0 ? correction.linfty_norm() / largest : 0;
   return quality;
 }
+
+
+
+template double
+round_off_of_forces(const Discretization<2> &, const double);
+template double
+round_off_of_forces(const Discretization<3> &, const double);
 } // namespace Setsudan

@@ -72,7 +72,7 @@ solve(const std::vector<unsigned int> &places, const bool is_definite)
   found -= x;
   const double error = found.linfty_norm();
   if (is_first_process())
-    std::cout << *solver.n_negative()
+    std::cout << solver.n_negative()
               << " negative, error below 1e-11: " << (error < 1e-11)
               << std::endl;
 }

@@ -110,7 +110,7 @@ struct Linearization
 
 /** Assemble the tangent of the internal forces, condensed with `constraints`.
  *
- * @param matrix as for assemble_matrix(). */
+ * @param matrix empty, or from an earlier call with the same constraints. */
 template <int dim>
 void
 assemble_tangent(const ElasticModel<dim> &model,

@@ -86,19 +86,6 @@ internal_forces(const Discretization<dim> &discretization,
                 const ElementStiffness<dim> &stiffness,
                 const LA::Vector &displacement);
 
-/** Give a matrix its places: those that cells have, condensed with
- * `constraints`, and others.
- *
- * @param coupled unknowns that are coupled beside, as far as this process adds
- *   to their places; the constraints' local lines must contain them. */
-template <int dim>
-void
-reinit_matrix(
-  const Discretization<dim> &discretization,
-  const dealii::AffineConstraints<double> &constraints,
-  const std::vector<std::vector<dealii::types::global_dof_index>> &coupled,
-  LA::SparseMatrix &matrix);
-
 /**
  * Assemble the matrix of the body from those of its cells, condensed with
  * `constraints`.
@@ -106,8 +93,7 @@ reinit_matrix(
  * Ties across a cut couple unknowns that no cell of this process has; the
  * constraints' local lines must contain them.
  *
- * @param matrix empty, from reinit_matrix(), or from an earlier call with the
- *   same constraints.
+ * @param matrix empty, or from an earlier call with the same constraints.
  */
 template <int dim>
 void

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <setsudan/simulation/nonlinear_contact.h>
-#include <setsudan/solver/assembled_solver.h>
+#include <setsudan/solver/condensed/condensed_tangent.h>
 
 #include <memory>
 #include <optional>
@@ -55,9 +55,9 @@ private:
     double relative_residual = 0;
   };
 
-  /** See AssembledSolver. */
-  AssembledSolver<dim>
-  make_solver(const SolverKind kind) const;
+  /** The vectors that may be pressed on here. */
+  std::vector<UnknownForces>
+  vectors_here() const;
 
   /** The loads when a part of the way is behind. */
   LA::Vector
@@ -77,12 +77,11 @@ private:
   Iterate
   step(const Iterate &about, const double part, const LA::Vector &prescribed);
 
-  /** The same for the tangent that a solver has. */
+  /** The same for the tangent as it has been taken. */
   Iterate
-  solve_tangent(AssembledSolver<dim> &solver,
-                const Iterate &about,
+  solve_tangent(const Iterate &about,
                 const double part,
-                const LA::Vector &prescribed);
+                const LA::Vector &prescribed) const;
 
   /** What the laws say about a displacement. */
   void
@@ -106,9 +105,9 @@ private:
   LA::Vector lacking;
   LA::Vector lacking_displacement;
   double size_of_forces;
-  AssembledSolver<dim> solver;
-  /** Of tangents that are not positive definite; made where there are any. */
-  std::unique_ptr<AssembledSolver<dim>> indefinite_solver;
+  /** The numbers of the vectors that may be pressed on here. */
+  const std::vector<unsigned int> vectors;
+  CondensedTangent<dim> tangent;
   /** Whether the last step was one of the body's own tangent. */
   bool is_exact = true;
   SolveQuality quality;

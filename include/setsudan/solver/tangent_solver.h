@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/space/discretization.h>
 #include <setsudan/space/linear_algebra.h>
 
 #include <functional>
@@ -81,6 +82,15 @@ LA::Vector
 iterative_refinement(LA::Vector &x,
                      const double wanted,
                      const RefinedSystem &system);
+
+/** The norm of what internal forces lose to round-off of the nodes' positions,
+ * of a body at rest too.
+ *
+ * @param norm_of_matrix as for converged(). */
+template <int dim>
+double
+round_off_of_forces(const Discretization<dim> &discretization,
+                    const double norm_of_matrix);
 
 /** @throw SolverError where the norm of the loads is no number. */
 void

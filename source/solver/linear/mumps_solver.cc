@@ -210,7 +210,7 @@ MumpsSolver::solve(LA::Vector &x, const LA::Vector &b)
 
 
 
-std::optional<unsigned int>
+unsigned int
 MumpsSolver::n_negative() const
 {
   return mumps->n_negative();

@@ -6,7 +6,6 @@
 #include <setsudan/space/linear_algebra.h>
 
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,14 +48,6 @@ public:
   approximate(LA::Vector &x, const LA::Vector &b)
   {
     solve(x, b);
-  }
-
-  /** How many eigenvalues of the matrix are negative; nothing where it does not
-   * tell. */
-  virtual std::optional<unsigned int>
-  n_negative() const
-  {
-    return {};
   }
 
   /** Whether it makes use of rigid modes and of a first guess. */

@@ -34,8 +34,9 @@ public:
   void
   solve(LA::Vector &x, const LA::Vector &b) override;
 
-  std::optional<unsigned int>
-  n_negative() const override;
+  /** How many eigenvalues of the matrix are negative. */
+  unsigned int
+  n_negative() const;
 
 private:
   class Instance;
