@@ -21,28 +21,22 @@ constexpr unsigned int most_steps = 25;
 
 template <int dim>
 NonlinearContact<dim>::Way::Way(const NonlinearContact &contact,
+                                Stage &stage,
                                 const BladeProfile &of_blade,
-                                const unsigned int n_split,
-                                const unsigned int n_ahead,
                                 const BladeMotion &motion,
                                 const Equilibrium &from)
-  : constraints(contact.body.constraints_after(n_split))
-  , contact(contact)
+  : contact(contact)
+  , stage(stage)
   , model(contact.body.model())
   , of_blade(of_blade)
-  , n_split(n_split)
-  , n_ahead(n_ahead)
   , motion(motion)
   , begin_of_travel(from.travel)
-  , springs(contact.springs())
   , lacking(model.loads)
   , lacking_displacement(model.lift)
   , size_of_forces(from.internal.forces.l2_norm())
-  , vectors(contact.basis.vectors_of_stage(n_split, n_ahead))
-  , tangent(model, constraints, vectors_here(), springs)
 {
   // Of rows that split, contact is another one.
-  if (from.path && from.n_split == n_split)
+  if (from.path && from.n_split == stage.n_split)
     lacking += contact.on_body(from.path->forces(from.travel));
   lacking -= from.internal.forces;
   lacking_displacement -= from.displacement;
@@ -54,18 +48,6 @@ NonlinearContact<dim>::Way::Way(const NonlinearContact &contact,
   if (lacking_displacement.linfty_norm() <=
       round_off * model.lift.linfty_norm())
     lacking_displacement = 0;
-}
-
-
-
-template <int dim>
-std::vector<UnknownForces>
-NonlinearContact<dim>::Way::vectors_here() const
-{
-  std::vector<UnknownForces> here;
-  for (const unsigned int v : vectors)
-    here.push_back(contact.basis.vectors()[v]);
-  return here;
 }
 
 
@@ -88,13 +70,20 @@ NonlinearContact<dim>::Way::step(const Iterate &about,
                                  const LA::Vector &prescribed)
 {
   constexpr double smallest = 1e-3, largest = 10, factor = 4;
-  is_exact = true;
+  // So near to an equilibrium a tangent serves twice.
+  constexpr double near = 1e-6;
+  if (is_exact && is_new && about.relative_residual < near)
+    {
+      is_new = false;
+      return solve_tangent(about, part, prescribed);
+    }
+  is_exact = is_new = true;
   try
     {
-      tangent.linearize(about.displacement);
+      stage.tangent.linearize(about.displacement);
       Iterate next = solve_tangent(about, part, prescribed);
       // It may be so that contact holds.
-      if (next.path->is_stable(tangent.n_negative()))
+      if (next.path->is_stable(stage.tangent.n_negative()))
         return next;
     }
   catch (const NotDefiniteError &)
@@ -106,8 +95,8 @@ NonlinearContact<dim>::Way::step(const Iterate &about,
   for (double shift = smallest; shift < largest; shift *= factor)
     try
       {
-        tangent.linearize(about.displacement, shift);
-        if (tangent.n_negative() == 0)
+        stage.tangent.linearize(about.displacement, shift);
+        if (stage.tangent.n_negative() == 0)
           return solve_tangent(about, part, prescribed);
       }
     catch (const NotDefiniteError &)
@@ -131,17 +120,17 @@ NonlinearContact<dim>::Way::solve_tangent(const Iterate &about,
   begin += prescribed;
   if (prescribed.linfty_norm() > 0)
     residual -= tangent_times(model, about.displacement, prescribed);
-  if (!springs.empty())
-    residual -= spring_forces(springs, begin);
+  if (!stage.springs.empty())
+    residual -= spring_forces(stage.springs, begin);
   LA::Vector without_contact = begin;
-  without_contact += tangent.increment(residual);
+  without_contact += stage.tangent.increment(residual);
 
   const unsigned int n     = all.size();
-  const auto products_here = tangent.products();
+  const auto products_here = stage.tangent.products();
   LAPACKFullMatrix<double> products(n);
-  for (unsigned int i = 0; i < vectors.size(); ++i)
-    for (unsigned int j = 0; j < vectors.size(); ++j)
-      products(vectors[i], vectors[j]) = products_here(i, j);
+  for (unsigned int i = 0; i < stage.vectors.size(); ++i)
+    for (unsigned int j = 0; j < stage.vectors.size(); ++j)
+      products(stage.vectors[i], stage.vectors[j]) = products_here(i, j);
   UntouchedBody untouched{{Vector<double>(n), Vector<double>(n)}, {}};
   const auto measured = work_of(all, without_contact);
   std::copy(
@@ -150,18 +139,23 @@ NonlinearContact<dim>::Way::solve_tangent(const Iterate &about,
   BladeMotion moved = motion;
   moved.travel      = travel_at(part);
   Iterate next;
-  next.path = contact.make_path(
-    of_blade, n_split, n_ahead, products, untouched, moved, about.path.get());
+  next.path           = contact.make_path(of_blade,
+                                stage.n_split,
+                                stage.n_ahead,
+                                products,
+                                untouched,
+                                moved,
+                                about.path.get());
   next.contact_forces = contact.on_body(next.path->forces(moved.travel));
   residual += next.contact_forces;
-  if (!springs.empty())
+  if (!stage.springs.empty())
     {
       next.foundation_forces =
         contact.on_body(next.path->foundation_forces(moved.travel));
       residual += next.foundation_forces;
     }
   next.displacement = begin;
-  next.displacement += tangent.increment(residual);
+  next.displacement += stage.tangent.increment(residual);
   return next;
 }
 
@@ -184,13 +178,13 @@ NonlinearContact<dim>::Way::evaluate(Iterate &iterate, const double part) const
                                  size_of_forces});
   residual += iterate.contact_forces;
   residual -= iterate.internal.forces;
-  if (!springs.empty())
+  if (!stage.springs.empty())
     {
       // What is left of the springs.
       residual += iterate.foundation_forces;
-      residual -= spring_forces(springs, iterate.displacement);
+      residual -= spring_forces(stage.springs, iterate.displacement);
     }
-  iterate.residual = condense(constraints, residual).l2_norm();
+  iterate.residual = condense(stage.constraints, residual).l2_norm();
   iterate.relative_residual =
     scale > 0 ? iterate.residual / scale : iterate.residual;
 }
@@ -228,7 +222,7 @@ NonlinearContact<dim>::Way::search(const Iterate &from,
                          length * (penalty - least_share * fall);
       // Forces of friction have no energy, and round-off has none to tell.
       if (falls || tried.residual < from.residual ||
-          tried.residual <= tangent.round_off())
+          tried.residual <= stage.tangent.round_off())
         return tried;
     }
   return {};
@@ -244,6 +238,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from,
 {
   LA::Vector prescribed = lacking_displacement;
   prescribed *= part - behind;
+  is_new = false;
   Iterate before;
   before.displacement = from.displacement;
   before.path         = from.path;
@@ -265,7 +260,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from,
       prescribed              = 0;
       Iterate next            = std::move(*found);
       const bool is_round_off = (next.relative_residual < failure_threshold ||
-                                 next.residual <= tangent.round_off()) &&
+                                 next.residual <= stage.tangent.round_off()) &&
                                 (n == 1 || next.residual > before.residual / 4);
       if (is_exact &&
           (next.relative_residual <= contact.body.scene().solver.tolerance ||
@@ -278,7 +273,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from,
           const double energy = next.internal.energy +
                                 next.internal.potential_of_pressure -
                                 model.loads * next.displacement;
-          return Equilibrium{n_split,
+          return Equilibrium{stage.n_split,
                              travel_at(part),
                              std::move(next.displacement),
                              std::move(next.path),

@@ -3,12 +3,31 @@
 #include <setsudan/simulation/contact_way.h>
 #include <setsudan/solver/no_equilibrium.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 namespace Setsudan
 {
 using namespace dealii;
+
+template <int dim>
+NonlinearContact<dim>::Stage::Stage(const NonlinearContact &contact,
+                                    const unsigned int n_split,
+                                    const unsigned int n_ahead)
+  : n_split(n_split)
+  , n_ahead(n_ahead)
+  , constraints(contact.body.constraints_after(n_split))
+  , springs(contact.springs())
+  , vectors(contact.basis.vectors_of_stage(n_split, n_ahead))
+  , tangent(contact.body.model(),
+            constraints,
+            contact.vectors_of(vectors),
+            springs)
+{
+}
+
+
 
 template <int dim>
 NonlinearContact<dim>::NonlinearContact(CutBody<dim> &body,
@@ -19,6 +38,48 @@ NonlinearContact<dim>::NonlinearContact(CutBody<dim> &body,
 {
   // Says whether all that is cut is held.
   body.constraints_after(this->n_rows());
+}
+
+
+
+template <int dim>
+NonlinearContact<dim>::~NonlinearContact() = default;
+
+
+
+template <int dim>
+typename NonlinearContact<dim>::Stage &
+NonlinearContact<dim>::stage(const unsigned int n_split,
+                             const unsigned int n_ahead) const
+{
+  // The present one, and that of a trial: each has a factor.
+  constexpr unsigned int most_kept = 2;
+  const auto found =
+    std::find_if(stages.begin(), stages.end(), [&](const Stage &known) {
+      return known.n_split == n_split && known.n_ahead == n_ahead;
+    });
+  if (found != stages.end())
+    stages.splice(stages.begin(), stages, found);
+  else
+    {
+      if (stages.size() == most_kept)
+        stages.pop_back();
+      stages.emplace_front(*this, n_split, n_ahead);
+    }
+  return stages.front();
+}
+
+
+
+template <int dim>
+std::vector<UnknownForces>
+NonlinearContact<dim>::vectors_of(
+  const std::vector<unsigned int> &numbers) const
+{
+  std::vector<UnknownForces> vectors;
+  for (const unsigned int number : numbers)
+    vectors.push_back(basis.vectors()[number]);
+  return vectors;
 }
 
 
@@ -50,7 +111,8 @@ NonlinearContact<dim>::follow(const BladeProfile &of_blade,
                               const BladeMotion &motion,
                               const Equilibrium &from) const
 {
-  Way way(*this, of_blade, n_split, n_ahead, motion, from);
+  Stage &here = stage(n_split, n_ahead);
+  Way way(*this, here, of_blade, motion, from);
   Equilibrium last     = from;
   unsigned int n_steps = 0;
   std::optional<SolverError> failure;
@@ -73,7 +135,7 @@ NonlinearContact<dim>::follow(const BladeProfile &of_blade,
       if (failure)
         throw *failure;
       throw_no_equilibrium(body.model(),
-                           way.constraints,
+                           here.constraints,
                            body.scene().solver,
                            last.displacement,
                            reached);

@@ -54,11 +54,17 @@ NonlinearTravel<dim>::move(CutBody<dim> &body,
   const double begin = from.motion.travel, way = travel - begin;
   const ContactResultants first = before.resultants(),
                           last  = after.resultants();
-  // By values and slopes at both ends.
+  // By values and slopes at both ends; where contacts change at the beginning,
+  // its slope is not that of the way.
+  const bool changes = std::abs(before.end() - begin) < 1e-6 * std::abs(way);
   const auto work_of = [&](Quadratic ContactResultants::*part) {
-    const double slopes = (first.*part).c[1] - (last.*part).c[1];
-    return ((first.*part)(begin) + (last.*part)(travel)) / 2 * way +
-           slopes * way * way / 12;
+    const double at_begin = (first.*part)(begin), at_end = (last.*part)(travel);
+    const double slope_at_begin = (first.*part).c[1],
+                 slope_at_end   = (last.*part).c[1];
+    return changes
+             ? (at_begin + 2 * at_end) / 3 * way - slope_at_end * way * way / 6
+             : (at_begin + at_end) / 2 * way +
+                 (slope_at_begin - slope_at_end) * way * way / 12;
   };
   next.motion.work +=
     work_of(&ContactResultants::edge) + work_of(&ContactResultants::flanks) +

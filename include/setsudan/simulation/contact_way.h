@@ -10,6 +10,25 @@
 
 namespace Setsudan
 {
+/** What stays as it is while a cut has so many rows split. */
+template <int dim>
+struct NonlinearContact<dim>::Stage
+{
+  Stage(const NonlinearContact &contact,
+        const unsigned int n_split,
+        const unsigned int n_ahead);
+
+  const unsigned int n_split;
+  const unsigned int n_ahead;
+  const typename CutBody<dim>::Constraints constraints;
+  const std::vector<UnknownForces> springs;
+  /** The numbers of the vectors that may be pressed on. */
+  const std::vector<unsigned int> vectors;
+  CondensedTangent<dim> tangent;
+};
+
+
+
 /** The way from one equilibrium to another: the blade moves, and what forces
  * and displacements lack where it begins, as those of ties that are released or
  * of supports that are moved, is made up for in proportion. */
@@ -21,9 +40,8 @@ public:
    *
    * @param of_blade no profile where it is gone. */
   Way(const NonlinearContact &contact,
+      Stage &stage,
       const BladeProfile &of_blade,
-      const unsigned int n_split,
-      const unsigned int n_ahead,
       const BladeMotion &motion,
       const Equilibrium &from);
 
@@ -32,8 +50,6 @@ public:
    * @throw NotDefiniteError where the tangent is not positive definite. */
   std::optional<Equilibrium>
   go(const Equilibrium &from, const double behind, const double part);
-
-  const typename CutBody<dim>::Constraints constraints;
 
 private:
   /** A displacement on the way, and the forces of contact with which it was
@@ -54,10 +70,6 @@ private:
     double residual          = 0;
     double relative_residual = 0;
   };
-
-  /** The vectors that may be pressed on here. */
-  std::vector<UnknownForces>
-  vectors_here() const;
 
   /** The loads when a part of the way is behind. */
   LA::Vector
@@ -93,23 +105,20 @@ private:
   search(const Iterate &from, const Iterate &to, const double part) const;
 
   const NonlinearContact &contact;
+  Stage &stage;
   const ElasticModel<dim> &model;
   const BladeProfile &of_blade;
-  const unsigned int n_split;
-  const unsigned int n_ahead;
   const BladeMotion motion;
   const double begin_of_travel;
-  const std::vector<UnknownForces> springs;
   /** The residual at the beginning, and what is prescribed and lacking there.
    */
   LA::Vector lacking;
   LA::Vector lacking_displacement;
   double size_of_forces;
-  /** The numbers of the vectors that may be pressed on here. */
-  const std::vector<unsigned int> vectors;
-  CondensedTangent<dim> tangent;
-  /** Whether the last step was one of the body's own tangent. */
+  /** Whether the last step was one of the body's own tangent, and whether that
+   * was taken for it. */
   bool is_exact = true;
+  bool is_new   = false;
   SolveQuality quality;
 };
 } // namespace Setsudan

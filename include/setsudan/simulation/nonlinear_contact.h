@@ -3,6 +3,7 @@
 
 #include <setsudan/simulation/contact_base.h>
 
+#include <list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -55,6 +56,8 @@ public:
                    const BladeProfile &profile,
                    const LA::Vector &displacement);
 
+  ~NonlinearContact();
+
   /** Whether this is of what the body is now. */
   bool
   is_of_present_body() const
@@ -96,8 +99,18 @@ public:
 
 private:
   class Way;
+  struct Stage;
 
-  /** Forces along the vectors of contact, on all unknowns. */
+  /** What a stage of the cut has, which is kept while it is one of the last
+   * that were asked for. */
+  Stage &
+  stage(const unsigned int n_split, const unsigned int n_ahead) const;
+
+  /** Some of the vectors of contact. */
+  std::vector<UnknownForces>
+  vectors_of(const std::vector<unsigned int> &numbers) const;
+
+  /** Forces along all of them, on all unknowns. */
   LA::Vector
   on_body(const std::vector<double> &forces) const;
 
@@ -118,5 +131,7 @@ private:
   using ContactBase<dim>::basis;
   /** What the body was when this began. */
   const unsigned int n_changes;
+  /** The last one first. */
+  mutable std::list<Stage> stages;
 };
 } // namespace Setsudan

@@ -51,8 +51,8 @@ private:
     Equilibrium equilibrium;
     /** Whether it has been asked if rows split; how many, what drives them and
      * what is required. */
-    bool is_judged      = false;
-    unsigned int n_rows = 1;
+    bool is_judged       = false;
+    unsigned int n_rows  = 1;
     CuttingStress stress = {};
     /** With so many more rows split. */
     std::vector<Equilibrium> trials = {};

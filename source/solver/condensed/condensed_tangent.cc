@@ -152,7 +152,10 @@ template <int dim>
 void
 CondensedTangent<dim>::factorize(const LA::SparseMatrix &whole)
 {
-  condensation         = std::make_unique<StaticCondensation>(whole, interface);
+  if (condensation)
+    condensation->update(whole);
+  else
+    condensation = std::make_unique<StaticCondensation>(whole, interface);
   const auto &schur    = condensation->stiffness();
   const unsigned int n = interface.size();
   LAPACKFullMatrix<double> stiffness(n);

@@ -63,15 +63,40 @@ StaticCondensation::StaticCondensation(const LA::SparseMatrix &matrix,
   const double shift            = shift_of(matrix, cut);
   const auto unknowns           = connected_components(matrix);
   parts.resize(unknowns.size());
-  std::vector<SchurComplement::Block> blocks(parts.size());
-  for_each_part(parts.size(), are_alike(unknowns), [&](const unsigned int p) {
-    blocks[p] = factorize(matrix, unknowns[p], shift, parts[p]);
+  parts_are_alike = are_alike(unknowns);
+  take_blocks([&](const unsigned int p) {
+    return factorize(matrix, unknowns[p], shift, parts[p]);
   });
-  complement       = std::make_unique<SchurComplement>(std::move(blocks));
   double n_entries = 0;
   for (const auto &part : parts)
     n_entries += part.factor->n_entries();
   is_large = n_entries > many_entries;
+}
+
+
+
+void
+StaticCondensation::update(const LA::SparseMatrix &matrix)
+{
+  const double shift = shift_of(matrix, cut);
+  take_blocks([&](const unsigned int p) {
+    parts[p].factor->update(matrix, shift);
+    return SchurComplement::square(
+      parts[p].of_cut, parts[p].factor->last_block(), shift);
+  });
+}
+
+
+
+void
+StaticCondensation::take_blocks(
+  const std::function<SchurComplement::Block(unsigned int)> &block_of)
+{
+  std::vector<SchurComplement::Block> blocks(parts.size());
+  for_each_part(parts.size(), parts_are_alike, [&](const unsigned int p) {
+    blocks[p] = block_of(p);
+  });
+  complement = std::make_unique<SchurComplement>(std::move(blocks));
 }
 
 

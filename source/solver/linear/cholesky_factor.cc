@@ -65,15 +65,7 @@ CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
   for (unsigned int i = 0; i < order.size(); ++i)
     place[order[i]] = i;
 
-  cholmod_sparse *lower = lower_triangle(matrix, place, order.size(), common);
-  auto *const columns   = static_cast<int *>(lower->p);
-  auto *const rows      = static_cast<int *>(lower->i);
-  auto *const values    = static_cast<double *>(lower->x);
-  for (unsigned int i = order.size() - n_at_end; i < order.size(); ++i)
-    for (int e = columns[i]; e < columns[i + 1]; ++e)
-      if (rows[e] == static_cast<int>(i))
-        values[e] += shift;
-
+  cholmod_sparse *const lower = in_order(matrix, shift);
   // The order is as it should be already, and the last must remain last.
   common.nmethods           = 1;
   common.method[0].ordering = CHOLMOD_NATURAL;
@@ -81,6 +73,24 @@ CholeskyFactor::CholeskyFactor(const LA::SparseMatrix &matrix,
   common.supernodal         = CHOLMOD_SUPERNODAL;
   workspace->factor         = cholmod_analyze(lower, &common);
   factorize(lower);
+}
+
+
+
+cholmod_sparse *
+CholeskyFactor::in_order(const LA::SparseMatrix &matrix,
+                         const double shift) const
+{
+  cholmod_sparse *const lower =
+    lower_triangle(matrix, place, order.size(), workspace->common);
+  const auto *const columns = static_cast<const int *>(lower->p);
+  const auto *const rows    = static_cast<const int *>(lower->i);
+  auto *const values        = static_cast<double *>(lower->x);
+  for (unsigned int i = order.size() - n_at_end; i < order.size(); ++i)
+    for (int e = columns[i]; e < columns[i + 1]; ++e)
+      if (rows[e] == static_cast<int>(i))
+        values[e] += shift;
+  return lower;
 }
 
 
@@ -105,10 +115,10 @@ CholeskyFactor::factorize(cholmod_sparse *lower)
 
 
 void
-CholeskyFactor::update(const LA::SparseMatrix &matrix)
+CholeskyFactor::update(const LA::SparseMatrix &matrix, const double shift)
 {
   Assert(matrix.m() == place.size(), dealii::ExcInternalError());
-  factorize(lower_triangle(matrix, place, order.size(), workspace->common));
+  factorize(in_order(matrix, shift));
 }
 
 

@@ -4,6 +4,7 @@
 #include <setsudan/solver/condensed/schur_complement.h>
 #include <setsudan/solver/linear/cholesky_factor.h>
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -24,6 +25,13 @@ public:
    * @throw SolverError where the rest is not positive definite. */
   StaticCondensation(const LA::SparseMatrix &matrix,
                      const std::vector<unsigned int> &cut);
+
+  /** Take another matrix with entries in the same places; it takes no new order
+   * of elimination.
+   *
+   * @throw SolverError as the constructor; another matrix may follow. */
+  void
+  update(const LA::SparseMatrix &matrix);
 
   /** The Schur complement, numbered as in the cut. */
   const SchurComplement &
@@ -61,15 +69,23 @@ private:
     std::vector<unsigned int> of_cut;
   };
 
-  /** Factor a part and find its block of the stiffness. */
+  /** Factor a part, whose unknowns are given, and find its block of the
+   * stiffness. */
   SchurComplement::Block
   factorize(const LA::SparseMatrix &matrix,
             const std::vector<unsigned int> &unknowns,
             const double shift,
             Part &part) const;
 
+  /** Make the complement of the blocks of all parts. */
+  void
+  take_blocks(
+    const std::function<SchurComplement::Block(unsigned int)> &block_of);
+
   const std::vector<unsigned int> cut;
   std::vector<Part> parts;
+  /** Whether each is best left to one core. */
+  bool parts_are_alike = false;
   std::unique_ptr<SchurComplement> complement;
   /** Whether threads take less time than they cost to begin. */
   bool is_large = false;

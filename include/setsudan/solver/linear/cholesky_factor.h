@@ -45,9 +45,10 @@ public:
    * Take another matrix with entries in the same places, in the same order of
    * elimination.
    *
+   * @param shift as for the constructor.
    * @throw NotDefiniteError as the constructor; another matrix may follow. */
   void
-  update(const LA::SparseMatrix &matrix);
+  update(const LA::SparseMatrix &matrix, const double shift = 0);
 
   /** A vector in the order of elimination. */
   std::vector<double>
@@ -83,6 +84,10 @@ public:
 
 private:
   struct Workspace;
+
+  /** The lower half of a matrix in the order of elimination, with the shift. */
+  cholmod_sparse *
+  in_order(const LA::SparseMatrix &matrix, const double shift) const;
 
   void
   factorize(cholmod_sparse *lower);
