@@ -90,6 +90,12 @@ NonlinearContact<dim>::Way::step(const Iterate &about,
     {
       // Not even then.
     }
+  catch (const SolverError &)
+    {
+      if (stage.tangent.n_negative() == 0)
+        throw;
+      // No contact holds it.
+    }
   // What ties have held upright may be nowhere near an equilibrium.
   is_exact = false;
   for (double shift = smallest; shift < largest; shift *= factor)
