@@ -12,6 +12,7 @@ import block
 import finite
 import measure
 import peers
+import pressed
 from measure import benchmark, cube, number, program, remembered, table
 
 # The settings that differ from run to run.
@@ -348,6 +349,7 @@ SECTIONS = {
     "A whole cut": whole_cut,
     "Finite strain": finite.finite_solve,
     "A cut under finite strain": finite.finite_cut,
+    "Contact under finite strain": pressed.contact,
     "A blade that travels": travels,
     "From a thousand to ten million unknowns": sizes,
     "Slender and nearly incompressible bodies": hard_bodies,

@@ -150,7 +150,27 @@ BoardContacts<dim>::BoardContacts(const ElasticModel<dim> &model,
     all_directions[2] = cross_product_3d(board.normal, all_directions[1]);
   for (const auto &hat : face_hats(model, board.faces))
     all_corners.push_back(
-      {hat, board.distance(hat.center), stiffness / (extent * hat.area)});
+      {hat, board.distance(hat.center), stiffness / (extent * hat.area), true});
+  mark_supported(model);
+}
+
+
+
+template <int dim>
+void
+BoardContacts<dim>::mark_supported(const ElasticModel<dim> &model)
+{
+  const auto all = vectors();
+  std::vector<unsigned int> moves;
+  for (unsigned int corner = 0; corner < all_corners.size(); ++corner)
+    moves.push_back(std::any_of(
+      all[dim * corner].begin(), all[dim * corner].end(), [&](const auto &of) {
+        return model.discretization.owned.is_element(of.first) &&
+               !model.supports.is_constrained(of.first);
+      }));
+  Utilities::MPI::max(moves, model.discretization.communicator, moves);
+  for (unsigned int corner = 0; corner < all_corners.size(); ++corner)
+    all_corners[corner].moves = moves[corner] == 1;
 }
 
 
@@ -179,11 +199,19 @@ template <int dim>
 std::vector<UnknownForces>
 BoardContacts<dim>::springs() const
 {
+  std::vector<UnknownForces> springs;
   auto all = vectors();
   for (unsigned int i = 0; i < all.size(); ++i)
-    for (auto &[unknown, factor] : all[i])
-      factor *= std::sqrt(all_corners[i / dim].stiffness);
-  return all;
+    {
+      const auto &corner = all_corners[i / dim];
+      // No condition takes the others out again.
+      if (!corner.moves)
+        continue;
+      for (auto &[unknown, factor] : all[i])
+        factor *= std::sqrt(corner.stiffness);
+      springs.push_back(std::move(all[i]));
+    }
+  return springs;
 }
 
 
@@ -224,17 +252,11 @@ last_travel_on_board(const BoardParameters<dim> &board,
 
 template <int dim>
 bool
-carries_something(const BoardContacts<dim> &board,
-                  const ElasticModel<dim> &model)
+carries_something(const BoardContacts<dim> &board)
 {
-  const auto vectors = board.vectors();
-  bool carries       = false;
-  for (unsigned int corner = 0; corner < board.corners().size(); ++corner)
-    for (const auto &[unknown, factor] : vectors[dim * corner])
-      carries = carries || (model.discretization.owned.is_element(unknown) &&
-                            !model.supports.is_constrained(unknown));
-  return Utilities::MPI::max<int>(carries, model.discretization.communicator) ==
-         1;
+  return std::any_of(board.corners().begin(),
+                     board.corners().end(),
+                     [](const auto &corner) { return corner.moves; });
 }
 
 
@@ -272,8 +294,7 @@ depth_beyond_board(const ElasticModel<dim> &model,
     const BoardParameters<dim> &, const CoarseMesh<dim> &, const Cut<dim> &); \
   template double last_travel_on_board(                                       \
     const BoardParameters<dim> &, const CoarseMesh<dim> &, const Cut<dim> &); \
-  template bool carries_something(const BoardContacts<dim> &,                 \
-                                  const ElasticModel<dim> &);                 \
+  template bool carries_something(const BoardContacts<dim> &);                \
   template double depth_beyond_board(const ElasticModel<dim> &,               \
                                      const BoardParameters<dim> &,            \
                                      const LA::Vector &);                     \

@@ -158,6 +158,10 @@ std::string
 describe_solve(const CutBody<dim> &body)
 {
   const auto strategy = body.cut_strategy();
+  if (!body.model().is_linear() && body.scene().has_contact())
+    return "  every step of Newton's method factors the tangent (CHOLMOD), "
+           "condensed onto what may touch the blade, " +
+           strategy.reason + ".";
   const std::string each =
     body.scene().has_contact() ? "with each force of contact, " : "";
   std::string way;

@@ -68,7 +68,7 @@ Simulation<dim>::lie()
   results.progress.info(
     "Board: " + std::to_string(body.board()->corners().size()) +
     " corners of element faces may lie on it.");
-  if (!carries_something(*body.board(), body.model()))
+  if (!carries_something(*body.board()))
     results.progress.warn(
       "the supports hold all of these corners: the board does nothing. Take "
       "what lies on it out of subsection Support, or leave out Board/Plane.");

@@ -47,7 +47,6 @@ WRONG_MATERIALS = [
     ("Blade/Advance tolerance", "1", "from 1e-10 to 0.1"),
     ("Accuracy/Estimate", "true", "false where", FINITE),
     ("Accuracy/Target", "0.01", "0 where", FINITE),
-    ("Board/Plane", "0, 0, 0; 0, 0, 1", "nothing", FINITE),
     ("Output/CalculiX decks", "true", "isochoric neo-Hooke, Mooney-Rivlin", FINITE),
     ("Output/CalculiX decks", "true", "Volumetric energy = quadratic",
      {**FINITE, LAW: "Mooney-Rivlin"}),

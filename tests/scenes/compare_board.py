@@ -15,14 +15,18 @@ import tables
 WEIGHT = 60 * 40 * 0.01
 WEDGE = ("Blade/Shape=wedge", "Blade/Wedge angle=20", "Blade/Thickness=2",
          "Blade/Shoulder radius=4", "Blade/Friction=0.1")
-# GetFEM, linear elasticity, contact as an integral over the bottom.
+# GetFEM, contact as an integral over the bottom: linear elasticity, and isochoric
+# neo-Hooke.
 FORCE_OF_GETFEM = 50.657
+FINITE_FORCE_OF_GETFEM = 56.0949
+FINITE = "Deformation/Strain=finite"
 
 
 def balance(run):
     """The board carries the block and what the blade presses."""
-    for name, settings in (("thin blade", ()), ("wedge", WEDGE)):
-        lines = run("board_cut", *settings)[1:]
+    for name, strain, settings in (("thin blade", (), ()), ("wedge", (), WEDGE),
+                                   ("thin blade, finite strain", (FINITE,), ())):
+        lines = run("board_cut", *strain, *settings)[1:]
         error = max(abs(float(line["board_force"]) - WEIGHT - float(line["blade_force"]))
                     for line in lines) / WEIGHT
         yield f"weight and {name}", error <= 1e-8, error
@@ -40,6 +44,28 @@ def block(run):
     yield "force of another program", error <= 1e-3, error
     error = abs(float(last["board_force"]) + float(last["clamp_z"]))
     yield "support and board", error <= 1e-8, error
+    # Where supports hold what would lie on the board it does nothing.
+    rollers = ("Support/Displacements=", "Support/Fixed faces=left",
+               "Support/Fixed boxes=-1,-1,-1,11,11,0.01:z", "Load/Body force=0.01,0,0")
+    with_board, without = (
+        float(run("board_plane", *plane, *rollers)[-1]["max_displacement"])
+        for plane in ((), ("Board/Plane=", "Board/Friction=0.5")))
+    error = abs(with_board / without - 1)
+    yield "rollers in place of the board", error <= 1e-12, error
+
+
+def finite_block(run):
+    """The same under finite strain, and in closed form where nothing bulges."""
+    last = run("board_plane", "Body/Elements=10,10,10", FINITE,
+               "Material/Law=isochoric neo-Hooke",
+               "Material/Volumetric energy=quadratic")[-1]
+    error = abs(float(last["board_force"]) / FINITE_FORCE_OF_GETFEM - 1)
+    yield "finite strain: force of another program", error <= 1e-6, error
+    # mu (l - 1 / l) at l = 0.9 on an area of 100, all of whose corners touch.
+    last = run("board_plane", "Body/Elements=2,2,2", FINITE,
+               "Material/Poisson's ratio=0")[-1]
+    error = abs(float(last["board_force"]) / (2.5 * 100 * (1 / 0.9 - 0.9)) - 1)
+    yield "finite strain: closed form", error <= 1e-9, error
 
 
 def end(run):
@@ -65,7 +91,7 @@ def main():
                                directory, (*program.QUIET, *settings))
             lines = tables.read(pathlib.Path(directory) / "statistics.csv")
             return (lines, text) if said else lines
-        for check in (balance, block, end):
+        for check in (balance, block, finite_block, end):
             for what, holds, value in check(run):
                 print(f"{'' if holds else 'FAILED: '}{what}: {value:.3g}")
                 failed = failed or not holds

@@ -64,6 +64,9 @@ public:
     double gap;
     /** Of its springs: force on the corner's vector per work of it. */
     double stiffness;
+    /** Whether supports let it move along the board's normal; else the board
+     * does nothing there. */
+    bool moves;
   };
 
   /** @param stiffness of the body: the least Young's modulus.
@@ -94,12 +97,15 @@ public:
   std::vector<UnknownForces>
   vectors() const;
 
-  /** Of all of them the springs: the foundation's stiffness is the sum of their
-   * squares. */
+  /** The springs along those of corners that move: the foundation's stiffness
+   * is the sum of their squares. */
   std::vector<UnknownForces>
   springs() const;
 
 private:
+  void
+  mark_supported(const ElasticModel<dim> &model);
+
   std::array<dealii::Tensor<1, dim>, dim> all_directions;
   std::vector<Corner> all_corners;
 };
@@ -142,12 +148,10 @@ last_travel_on_board(const BoardParameters<dim> &board,
                      const CoarseMesh<dim> &mesh,
                      const Cut<dim> &cut);
 
-/** Whether some corner may move along a board's normal, as far as the supports
- * are concerned; else it does nothing. Called by all processes. */
+/** Whether some corner moves along a board's normal; else it does nothing. */
 template <int dim>
 bool
-carries_something(const BoardContacts<dim> &board,
-                  const ElasticModel<dim> &model);
+carries_something(const BoardContacts<dim> &board);
 
 /** How far a node of a deformed body has passed a board: not at all in the mean
  * over a hat, but single nodes may, and faces that were not expected to come

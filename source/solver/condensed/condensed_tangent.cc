@@ -112,38 +112,15 @@ CondensedTangent<dim>::linearize(const LA::Vector &displacement,
   if (Utilities::MPI::n_mpi_processes(communicator) == 1)
     factorize(matrix);
   else
-    factorize_on_first(gather(matrix));
+    {
+      const auto whole = gather(matrix);
+      of_first_process(communicator, [&] {
+        factorize(whole);
+        return true;
+      });
+    }
   n_negative_ones =
     of_first_process(communicator, [&] { return factor->n_negative(); });
-}
-
-
-
-template <int dim>
-void
-CondensedTangent<dim>::factorize_on_first(const LA::SparseMatrix &whole)
-{
-  // All others are to know of a failure.
-  const auto [is_definite, message] = of_first_process(communicator, [&] {
-    auto failure = std::make_pair(true, std::string());
-    try
-      {
-        factorize(whole);
-      }
-    catch (const NotDefiniteError &error)
-      {
-        failure = {false, error.what()};
-      }
-    catch (const SolverError &error)
-      {
-        failure.second = error.what();
-      }
-    return failure;
-  });
-  if (!is_definite)
-    throw NotDefiniteError(message);
-  if (!message.empty())
-    throw SolverError(message);
 }
 
 

@@ -76,8 +76,6 @@ private:
   /** Factor a matrix of the first process. */
   void
   factorize(const LA::SparseMatrix &whole);
-  void
-  factorize_on_first(const LA::SparseMatrix &whole);
 
   const ElasticModel<dim> &model;
   const dealii::AffineConstraints<double> &constraints;
