@@ -54,6 +54,10 @@ NonlinearTravel<dim>::begin(CutBody<dim> &body,
     motion.energy_at_rest = from.potential_energy;
   here = Position{
     motion, contact->begin(row, n_ahead(body, row), motion, from.displacement)};
+  // What small strain has stored otherwise, as far as the blade has come so.
+  if (from.motion)
+    here->motion.excess_energy +=
+      energy_under_loads(from) - here->equilibrium.energy;
 }
 
 

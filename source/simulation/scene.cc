@@ -204,11 +204,6 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
 {
   const std::string where =
     " where Deformation/Strain is " + parameters.text("Deformation", "Strain");
-  parameters.require(!scene.blade.travels ||
-                       parameters.text("Deformation", "Strain") == "finite",
-                     "Blade",
-                     "Drive",
-                     "force" + where + " (finite has travel)");
   parameters.require(scene.blade.travels || !scene.has_contact(),
                      "Division",
                      "Split rows",

@@ -16,19 +16,22 @@ import tables
 
 NUMBERS = ("load_factor", "cutting_stress", "strain_energy", "potential_energy",
            "max_displacement", "max_strain", "max_shear")
-KINDS = {"a ramp of the load": (), "forces that are given":
-         ("Division/Load control=constant", "Blade/Edge loads=0 : 1"),
-         "energies": ("Yield/Criterion=energy release", "Load/Pressures=",
-                      "Material/Toughness=0.01")}
+KINDS = {"a ramp of the load": ("finite_auto",),
+         "forces that are given": ("finite_auto", "Division/Load control=constant",
+                                   "Blade/Edge loads=0 : 1"),
+         "energies": ("finite_auto", "Yield/Criterion=energy release", "Load/Pressures=",
+                      "Material/Toughness=0.01"),
+          "a blade that travels": ("finite_wedge", "Material/Linear range=0.5",
+                                  "Blade/Friction=0")}
 
 
-def run(options, strain, *settings):
+def run(options, strain, scene, *settings):
     """What is said, and the lines of the solved states."""
     with tempfile.TemporaryDirectory() as directory:
-        said = program.run(options, options.scene, directory,
+        said = program.run(options, pathlib.Path(options.scenes) / f"{scene}.prm", directory,
                            (*program.QUIET, f"Deformation/Strain={strain}", *settings))
         lines = tables.read(pathlib.Path(directory) / "statistics.csv")
-    return said, [line for line in lines if line["event"] in ("deform", "divide")]
+    return said, [line for line in lines if line["event"] in ("deform", "travel", "divide")]
 
 
 def difference(line, other):
@@ -80,7 +83,7 @@ def check_report(runs, first_strain, linear_range):
 
 def main():
     parser = program.parser(__doc__)
-    parser.add_argument("--scene", required=True)
+    parser.add_argument("--scenes", required=True)
     options = parser.parse_args()
     for kind, settings in KINDS.items():
         compare(options, kind, settings)
