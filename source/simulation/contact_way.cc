@@ -31,6 +31,7 @@ NonlinearContact<dim>::Way::Way(const NonlinearContact &contact,
   , of_blade(of_blade)
   , motion(motion)
   , begin_of_travel(from.travel)
+  , earlier(from.path)
   , lacking(model.loads)
   , lacking_displacement(model.lift)
   , size_of_forces(from.internal.forces.l2_norm())
@@ -151,7 +152,7 @@ NonlinearContact<dim>::Way::solve_tangent(const Iterate &about,
                                 products,
                                 untouched,
                                 moved,
-                                about.path.get());
+                                earlier.get());
   next.contact_forces = contact.on_body(next.path->forces(moved.travel));
   residual += next.contact_forces;
   if (!stage.springs.empty())

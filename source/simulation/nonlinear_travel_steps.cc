@@ -224,6 +224,9 @@ NonlinearTravel<dim>::follow(CutBody<dim> &body,
   // What is split closes while the blade is withdrawn, and no more splits.
   const bool pushes = goal >= here->motion.travel;
   double length     = longest;
+  if (goal != here->motion.travel)
+    here->motion.excess_energy +=
+      here->equilibrium.path->head(pushes ? 1 : -1, here->motion.travel);
   if (pushes)
     judge(body, row, *here);
   while (here->motion.travel != goal && !here->yields())

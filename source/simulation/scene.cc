@@ -209,15 +209,7 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
                      "Split rows",
                      "opened or free" + where);
   parameters.require(
-    scene.blade.sliding.adhesion == 0, "Blade", "Adhesion", "0" + where);
-  parameters.require(
     scene.blade.sliding.is_guided, "Blade", "Guide", "fixed" + where);
-  parameters.require(!scene.blade.path.turns() ||
-                       scene.blade.sliding.friction == 0,
-                     "Blade",
-                     "Travel",
-                     "positions that ascend where there is friction and "
-                     "Deformation/Strain is finite");
   parameters.require(
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
   parameters.require(

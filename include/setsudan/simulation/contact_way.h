@@ -57,7 +57,7 @@ private:
   struct Iterate
   {
     LA::Vector displacement;
-    std::shared_ptr<const ContactPath<dim>> path;
+    std::shared_ptr<ContactPath<dim>> path;
     LA::Vector contact_forces;
     /** What takes the springs out, see Foundation; empty where there are none.
      */
@@ -110,6 +110,9 @@ private:
   const BladeProfile &of_blade;
   const BladeMotion motion;
   const double begin_of_travel;
+  /** Where walls stick, and corners on a board, when it begins: not what they
+   * did on the way to an equilibrium. */
+  const std::shared_ptr<const ContactPath<dim>> earlier;
   /** The residual at the beginning, and what is prescribed and lacking there.
    */
   LA::Vector lacking;

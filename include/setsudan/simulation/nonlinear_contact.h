@@ -20,7 +20,7 @@ struct ContactEquilibrium
   LA::Vector displacement;
   /** The forces of contact; null where they have not been looked for yet. They
    * are those of the body's tangent there, and linear in the travel near it. */
-  std::shared_ptr<const ContactPath<dim>> path;
+  std::shared_ptr<ContactPath<dim>> path;
   /** The internal forces, and the energy that is stored and that of pressures.
    */
   InternalForces internal;
