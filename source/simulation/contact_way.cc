@@ -173,8 +173,16 @@ void
 NonlinearContact<dim>::Way::evaluate(Iterate &iterate, const double part) const
 {
   iterate.internal = evaluate_laws(model, iterate.displacement);
-  if (!std::isfinite(iterate.internal.energy))
-    return;
+  if (std::isfinite(iterate.internal.energy))
+    measure(iterate, part);
+}
+
+
+
+template <int dim>
+void
+NonlinearContact<dim>::Way::measure(Iterate &iterate, const double part) const
+{
   LA::Vector residual = loads_at(part);
   iterate.potential   = iterate.internal.energy +
                       iterate.internal.potential_of_pressure -
@@ -250,9 +258,10 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from,
   before.displacement = from.displacement;
   before.path         = from.path;
   before.internal     = from.internal;
-  before.potential    = from.internal.energy +
-                     from.internal.potential_of_pressure -
-                     loads_at(part) * from.displacement;
+  // That of the blade and the ties is not there yet.
+  before.contact_forces    = model.discretization.zero_vector();
+  before.foundation_forces = before.contact_forces;
+  measure(before, part);
   for (unsigned int n = 1; n <= most_steps; ++n)
     {
       const bool moves_supports = prescribed.linfty_norm() > 0;

@@ -170,9 +170,7 @@ double
 NonlinearTravel<dim>::energy_of_row(CutBody<dim> &body,
                                     const unsigned int row) const
 {
-  const BladeMotion &motion = here->motion;
-  return std::max(motion.work,
-                  search->surface_energy(body, row, 1, motion, 0.));
+  return std::max(here->motion.work, body.area_of_row(row).energy);
 }
 
 

@@ -95,9 +95,13 @@ private:
                 const double part,
                 const LA::Vector &prescribed) const;
 
-  /** What the laws say about a displacement. */
+  /** What the laws say about a displacement, and the residual there. */
   void
   evaluate(Iterate &iterate, const double part) const;
+
+  /** The residual and the potential of what the laws have said. */
+  void
+  measure(Iterate &iterate, const double part) const;
 
   /** Go from one displacement towards another, as far as the energy falls;
    * nothing where it does not. */
