@@ -65,27 +65,36 @@ NonlinearContact<dim>::Way::loads_at(const double part) const
 
 
 template <int dim>
-typename NonlinearContact<dim>::Way::Iterate
+std::optional<typename NonlinearContact<dim>::Way::Iterate>
 NonlinearContact<dim>::Way::step(const Iterate &about,
                                  const double part,
                                  const LA::Vector &prescribed)
 {
   constexpr double smallest = 1e-3, largest = 10, factor = 4;
+  constexpr unsigned int most_tries = 10;
+  const auto go_towards = [&](Iterate &&to, const unsigned int most) {
+    return search(about, std::move(to), part, prescribed, most);
+  };
   // So near to an equilibrium a tangent serves twice.
   constexpr double near = 1e-6;
   if (is_exact && is_new && about.relative_residual < near)
     {
       is_new = false;
-      return solve_tangent(about, part, prescribed);
+      return go_towards(solve_tangent(about, part, prescribed), most_tries);
     }
   is_exact = is_new = true;
   try
     {
       stage.tangent.linearize(about.displacement);
-      Iterate next = solve_tangent(about, part, prescribed);
-      // It may be so that contact holds.
-      if (next.path->is_stable(stage.tangent.n_negative()))
-        return next;
+      const unsigned int n_negative = stage.tangent.n_negative();
+      Iterate next                  = solve_tangent(about, part, prescribed);
+      // One that contact holds may have several equilibria: only the one that
+      // is near is that of the body.
+      if (next.path->is_stable(n_negative))
+        if (auto found =
+              go_towards(std::move(next), n_negative == 0 ? most_tries : 1);
+            found || n_negative == 0)
+          return found;
     }
   catch (const NotDefiniteError &)
     {
@@ -104,7 +113,7 @@ NonlinearContact<dim>::Way::step(const Iterate &about,
       {
         stage.tangent.linearize(about.displacement, shift);
         if (stage.tangent.n_negative() == 0)
-          return solve_tangent(about, part, prescribed);
+          return go_towards(solve_tangent(about, part, prescribed), most_tries);
       }
     catch (const NotDefiniteError &)
       {
@@ -209,13 +218,21 @@ NonlinearContact<dim>::Way::measure(Iterate &iterate, const double part) const
 template <int dim>
 std::optional<typename NonlinearContact<dim>::Way::Iterate>
 NonlinearContact<dim>::Way::search(const Iterate &from,
-                                   const Iterate &to,
-                                   const double part) const
+                                   Iterate &&to,
+                                   const double part,
+                                   const LA::Vector &prescribed,
+                                   const unsigned int most_tries) const
 {
+  // Supports that move do work, too.
+  if (prescribed.linfty_norm() > 0)
+    {
+      evaluate(to, part);
+      return std::isfinite(to.internal.energy) ? std::optional<Iterate>(to)
+                                               : std::nullopt;
+    }
   // Of the fall that the slope promises, what a step must bring.
-  constexpr double least_share      = 1e-4;
-  constexpr unsigned int most_tries = 10;
-  LA::Vector step                   = to.displacement;
+  constexpr double least_share = 1e-4;
+  LA::Vector step              = to.displacement;
   step -= from.displacement;
   LA::Vector residual = loads_at(part);
   residual -= from.internal.forces;
@@ -264,13 +281,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from,
   measure(before, part);
   for (unsigned int n = 1; n <= most_steps; ++n)
     {
-      const bool moves_supports = prescribed.linfty_norm() > 0;
-      Iterate to                = step(before, part, prescribed);
-      std::optional<Iterate> found;
-      if (!moves_supports)
-        found = search(before, to, part);
-      else if (evaluate(to, part); std::isfinite(to.internal.energy))
-        found = std::move(to);
+      auto found = step(before, part, prescribed);
       if (!found)
         return {};
       prescribed              = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // The steps of the blade, and where on the way rows split.
 
@@ -96,7 +97,7 @@ NonlinearTravel<dim>::judge(CutBody<dim> &body,
         body.length_of_rows(row, 1), position.motion, position.motion.travel);
       return;
     }
-  double area = 0, largest = -1;
+  double area = 0, largest = -std::numeric_limits<double>::infinity();
   const Equilibrium *neighbour = &position.equilibrium;
   const unsigned int most      = n_ahead(body, row);
   position.trials.reserve(most);

@@ -81,15 +81,16 @@ private:
     return begin_of_travel + part * (motion.travel - begin_of_travel);
   }
 
-  /** Where the tangent about a displacement is in equilibrium with its contact:
-   * displacement and forces. A tangent that is not positive definite, even with
-   * contact, gets as much on its diagonal as it takes.
+  /** Go towards where the tangent about a displacement is in equilibrium with
+   * its contact, as search(). A tangent that is not positive definite, even
+   * with contact, gets as much on its diagonal as it takes.
    *
    * @param prescribed how supports move. */
-  Iterate
+  std::optional<Iterate>
   step(const Iterate &about, const double part, const LA::Vector &prescribed);
 
-  /** The same for the tangent as it has been taken. */
+  /** Where the tangent that has been taken is in equilibrium with its contact:
+   * displacement and forces. */
   Iterate
   solve_tangent(const Iterate &about,
                 const double part,
@@ -103,10 +104,17 @@ private:
   void
   measure(Iterate &iterate, const double part) const;
 
-  /** Go from one displacement towards another, as far as the energy falls;
-   * nothing where it does not. */
+  /** Go from one displacement towards another, as far as the energy falls, and
+   * all the way where supports move.
+   *
+   * @param most_tries lengths, each half of the one before; nothing where it
+   *   falls along none of them. */
   std::optional<Iterate>
-  search(const Iterate &from, const Iterate &to, const double part) const;
+  search(const Iterate &from,
+         Iterate &&to,
+         const double part,
+         const LA::Vector &prescribed,
+         const unsigned int most_tries) const;
 
   const NonlinearContact &contact;
   Stage &stage;

@@ -40,10 +40,11 @@ SmallestVolume<dim>
 find_smallest_volume(const ElasticModel<dim> &model,
                      const LA::Vector &displacement);
 
-/** Whether some line through a node points backwards behind the way from one
- * state to another: x.(F1 F0^-1) x <= 0 for some x, where F0 and F1 are the
- * deformation gradients. A body that has been inside out on the way, and is no
- * more, has such lines.
+/** Whether the body turns by a right angle or more at a node on the way from
+ * one state to another: by the rotation of F1 F0^-1, where F0 and F1 are the
+ * deformation gradients. A body that has been inside out on the straight way,
+ * and is no more, does: some x is then turned to -x. A shear of any size does
+ * not, though lines may point backwards behind it.
  *
  * @param from and to are displacements without ghosts. */
 template <int dim>
