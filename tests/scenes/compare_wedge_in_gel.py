@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A wedge through gel under finite strain, by the numbers of an independent program
 (half of the block, contact by penalty at nodes or Gauss points); and as plane strain
-and a slab in space, with small travel and as the linear theory has it.
+and a slab in space, with small travel and as the linear theory has it, and one half as
+the mirror image of the other.
 """
 
 import pathlib
@@ -22,8 +23,8 @@ SLAB = (("Dimension = 2", "Dimension = 3"), ("= 12, 8", "= 12, 1, 8"),
          "  set Fixed components = front : y; back : y"))
 
 
-def run(options, scene, *settings, changes=()):
-    """The table of a run, of a scene with some text replaced."""
+def run(options, scene, *settings, changes=(), table="statistics.csv"):
+    """A table of a run, of a scene with some text replaced."""
     with tempfile.TemporaryDirectory() as directory:
         directory = pathlib.Path(directory)
         text = (pathlib.Path(options.scenes) / scene).read_text()
@@ -35,7 +36,7 @@ def run(options, scene, *settings, changes=()):
             gel_mesh.write(directory / "gel.msh", 1.)
         program.run(options, directory / scene, directory / "results",
                     (*program.QUIET, *settings))
-        return tables.read(directory / "results" / "statistics.csv")
+        return tables.read(directory / "results" / table)
 
 
 def check(name, found, expected, bound):
@@ -100,6 +101,24 @@ def check_slab(options):
     return results
 
 
+def check_mirror(options):
+    """Both halves of a block that is cut in the middle; nodes of the two walls have the
+    same place. Half of it cannot be run: the blade goes through a cut."""
+    nodes = run(options, BLOCK, "Blade/Friction=0.1", "Blade/Travel=4",
+                "Output/Node tables=true", table="nodes_0005.csv")
+    at = {}
+    for node in nodes:
+        x, y, u, v = (number(node, column) for column in ("x", "y", "ux", "uy"))
+        at.setdefault((x, y), []).append((u, v))
+    largest = max(abs(number(node, "uy")) for node in nodes)
+    differences = [abs(a - b) for (x, y), moved in at.items()
+                   for one, other in zip(sorted(moved), sorted(
+                       (-u, v) for u, v in at[12 - x, y]), strict=True)
+                   for a, b in zip(one, other)]
+    return [check("mirror image, 1 + largest difference",
+                  1 + max(differences) / largest, 1, 1e-8)]
+
+
 def check_small_travel(options):
     """Where the blade has travelled little the linear theory differs by a part that
     goes with the travel."""
@@ -119,7 +138,7 @@ def main():
     parser.add_argument("--scenes", required=True)
     options = parser.parse_args()
     results = [*check_split(options), *check_friction(options), *check_slab(options),
-               *check_small_travel(options)]
+               *check_mirror(options), *check_small_travel(options)]
     return 0 if all(results) else 1
 
 
