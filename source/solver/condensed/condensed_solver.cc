@@ -60,6 +60,15 @@ CondensedSolver<dim>::CondensedSolver(
       if (entries(all_constrained)[unknown] == 0)
         cut.push_back(unknown);
   cut = of_first_process(communicator, [&] { return cut; });
+  condense_at_rest();
+}
+
+
+
+template <int dim>
+void
+CondensedSolver<dim>::condense_at_rest()
+{
   LA::SparseMatrix matrix;
   assemble_stiffness(model.discretization, model.stiffness, *base, matrix);
   largest_entry = matrix.linfty_norm();
@@ -77,6 +86,9 @@ CondensedSolver<dim>::condense_onto_cut(const LA::SparseMatrix &matrix)
 {
   if (!is_first)
     return;
+  // Before there is another one, which is as large.
+  interface.reset();
+  condensation.reset();
   condensation = std::make_unique<StaticCondensation>(matrix, cut);
   std::vector<std::vector<std::pair<unsigned int, double>>> springs;
   for (const auto &vector : foundation)
@@ -121,6 +133,27 @@ CondensedSolver<dim>::set_constraints(
   if (fits)
     constraints = std::move(new_constraints);
   return fits;
+}
+
+
+
+template <int dim>
+void
+CondensedSolver<dim>::linearize(const Linearization &linearization)
+{
+  LA::SparseMatrix matrix;
+  assemble_tangent(model, linearization, *base, matrix);
+  try
+    {
+      condense_onto_cut(matrix);
+      set_constraints(constraints);
+    }
+  catch (const SolverError &)
+    {
+      condense_at_rest();
+      set_constraints(constraints);
+      throw;
+    }
 }
 
 
