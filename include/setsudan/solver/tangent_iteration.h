@@ -23,7 +23,8 @@ class PMultigrid;
  *
  * The preconditioner is that of the body at rest: the factor of its cut, which
  * knows all states of it, or p-multigrid. Either is made anew about the present
- * tangent where the iterations become many.
+ * tangent where the iterations become many; the factor is kept so for the
+ * states that follow.
  */
 template <int dim>
 class TangentIteration : public ConstrainedSolver<dim>

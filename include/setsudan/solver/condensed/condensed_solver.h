@@ -50,7 +50,7 @@ public:
   set_constraints(std::shared_ptr<const Constraints> stage);
 
   /** Factor another tangent than that of the body at rest, at the present
-   * stage: correction() is with it from here on.
+   * stage: correction() is with it from here on. On one process.
    *
    * @throw NotDefiniteError where it is not positive definite; then the factor
    *   is that of the body at rest. */
