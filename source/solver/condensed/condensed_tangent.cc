@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <setsudan/parameters/exceptions.h>
 #include <setsudan/solver/condensed/condensed_solver.h>
+#include <setsudan/solver/linear/linear_solver.h>
 #include <setsudan/space/first_process.h>
 
 // The tangent that a cut is condensed from.
