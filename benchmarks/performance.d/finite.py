@@ -84,12 +84,12 @@ def peers_solves(n):
 def finite_solve(n=20, n_rounds=2):
     """A block that a dead pressure shortens by an eighth, in one increment, from file to
     displacement: isochoric neo-Hooke, 107 163 unknowns. Times are the processor's, of all
-    threads and processes together: compare runs on as many processes. Each is the least
-    of two, between which all others ran. Memory is that of the larger process. DOLFINx, with the same elements and
-    integration points, ends where the residual is 1e-8 of the first one, and has compiled
-    its forms before. CalculiX has the same mesh, law and nodal forces, and ends where
-    forces are off by 5e-3 of their mean, as it does by default; Setsudan at 1e-10. The
-    last column compares the largest displacement with Setsudan's."""
+    threads and processes together: compare runs on as many processes. Each is the least of
+    two, between which all others ran. Memory is that of the larger process. DOLFINx, with
+    the same elements and integration points, ends where the residual is 1e-8 of the first
+    one, and has compiled its forms before. CalculiX has the same mesh, law and nodal
+    forces, and ends where forces are off by 5e-3 of their mean, as it does by default;
+    Setsudan at 1e-10. The last column compares the largest displacement with Setsudan's."""
     runs = {("Setsudan", processes): (lambda processes=processes: solve(n, {}, processes))
             for processes in (1, 2)}
     runs["Setsudan, small strain", 1] = lambda: solve(n, SMALL)
