@@ -6,6 +6,7 @@ import dataclasses
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -40,6 +41,18 @@ def timed(command, directory=None, **environment):
     if status != 0:
         raise RuntimeError(f"failed: {command}\n{text[-2000:]}")
     return seconds, usage.ru_maxrss / 1024, text
+
+
+def of_processor(run):
+    """The processor's seconds that a run takes in processes of its own, which other work
+    on the machine changes less than those of a clock; and what it gives."""
+    def spent():
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return usage.ru_utime + usage.ru_stime
+
+    before = spent()
+    result = run()
+    return spent() - before, result
 
 
 def events_in(directory):

@@ -13,7 +13,7 @@ import sys
 import time
 
 import block
-import dolfinx.la
+import dolfinx_block
 import numpy
 import ufl
 from dolfinx import fem, mesh
@@ -26,13 +26,7 @@ YOUNGS_MODULUS = 1
 POISSONS_RATIO = 0.2
 TRACTION = (0.003, 0.001, -0.01)
 
-# Three Gauss points in each direction.
-INTEGRATION = {"quadrature_degree": 5}
-
-# Jacobi and not SOR, which is PETSc's default: with it GAMG fails, and ML takes longer.
-SETTINGS = {"ksp_type": "cg", "ksp_rtol": 1e-8, "ksp_norm_type": "unpreconditioned",
-            "ksp_max_it": 1000, "mg_levels_ksp_type": "chebyshev",
-            "mg_levels_ksp_chebyshev_esteig_steps": 20, "mg_levels_pc_type": "jacobi"}
+TOLERANCE = 1e-8
 
 
 def make_block(n):
@@ -53,22 +47,17 @@ def forms(space):
     strain = ufl.sym(ufl.grad(trial))
     stress = 2 * mu * strain + lame * ufl.tr(strain) * ufl.Identity(3)
     top = mesh.locate_entities_boundary(body, 2, lambda x: numpy.isclose(x[2], 1))
-    faces = ufl.Measure("ds", domain=body, metadata=INTEGRATION,
-                        subdomain_data=mesh.meshtags(body, 2, numpy.sort(top), 1))
     traction = fem.Constant(body, numpy.array(TRACTION))
     return (fem.form(ufl.inner(stress, ufl.sym(ufl.grad(test)))
-                     * ufl.dx(metadata=INTEGRATION)),
-            fem.form(ufl.inner(traction, test) * faces(1)))
+                     * ufl.dx(metadata=dolfinx_block.INTEGRATION)),
+            fem.form(ufl.inner(traction, test)
+                     * dolfinx_block.faces(body, top)(1)))
 
 
 def equations(space):
     """Matrix and load of the block that stands on its bottom."""
     stiffness, traction = forms(space)
-    bottom = mesh.locate_entities_boundary(space.mesh, 2,
-                                           lambda x: numpy.isclose(x[2], 0))
-    # These elements take no constant as a boundary value, but a function.
-    fixed = [fem.dirichletbc(fem.Function(space),
-                             fem.locate_dofs_topological(space, 2, bottom))]
+    fixed = dolfinx_block.fixed_bottom(space)
     matrix = petsc.assemble_matrix(stiffness, fixed)
     matrix.assemble()
     matrix.setOption(PETSc.Mat.Option.SPD, True)
@@ -78,37 +67,12 @@ def equations(space):
     return matrix, load
 
 
-def rigid_modes(space):
-    """The shifts along the axes and the rotations around them, orthonormal."""
-    modes = []
-    for axis in numpy.eye(3):
-        for field in (lambda x: numpy.outer(axis, numpy.ones_like(x[0])),
-                      lambda x: numpy.cross(axis, x.T).T):
-            mode = fem.Function(space)
-            mode.interpolate(field)
-            # A function's own vector does not outlive it.
-            modes.append(mode.vector.copy())
-    dolfinx.la.orthonormalize(modes)
-    return PETSc.NullSpace().create(vectors=modes, comm=space.mesh.comm)
-
-
-def make_solver(matrix, multigrid):
-    """Conjugate gradients with one of PETSc's algebraic multigrids."""
-    options = PETSc.Options()
-    for name, value in {**SETTINGS, "pc_type": multigrid}.items():
-        options[name] = value
-    solver = PETSc.KSP().create(matrix.comm)
-    solver.setFromOptions()
-    solver.setOperators(matrix)
-    return solver
-
-
 def solve(n, multigrid):
     """The names and values of what is found."""
     space = fem.VectorFunctionSpace(make_block(n), ("S", 2))
     matrix, load = equations(space)
-    matrix.setNearNullSpace(rigid_modes(space))
-    solver = make_solver(matrix, multigrid)
+    matrix.setNearNullSpace(dolfinx_block.rigid_modes(space))
+    solver = dolfinx_block.make_solver(matrix, multigrid, TOLERANCE)
     displacement = load.duplicate()
     solver.solve(load, displacement)
     if solver.getConvergedReason() <= 0:

@@ -3,6 +3,7 @@
 
 import functools
 import pathlib
+import subprocess
 import tempfile
 
 import calculix
@@ -37,22 +38,27 @@ def solve_by_calculix(deck, solver):
     return seconds, memory, calculix.compare(job, deck.with_suffix(".csv"))[2]
 
 
-def run_dolfinx(n, multigrid, n_processes):
+def run_dolfinx(n, multigrid, n_processes, problem="solve"):
     """Seconds, memory in MB of the larger process, and what is found."""
     with tempfile.TemporaryDirectory() as directory:
         found = pathlib.Path(directory) / "found"
         # Debian's own Python has Debian's packages; another may come before it.
         command = [*measure.processes(n_processes), "/usr/bin/python3", "-B",
-                   HERE / "dolfinx_solve.py", n, multigrid, found]
+                   HERE / f"dolfinx_{problem}.py", n, multigrid, found]
         seconds, memory, _ = measure.timed(command,
                                            OMP_NUM_THREADS=str(CORES // n_processes))
         return seconds, memory, measure.values_in(found.read_text())
 
 
+def has_dolfinx():
+    return subprocess.run(["/usr/bin/python3", "-c", "import dolfinx"],
+                          stderr=subprocess.DEVNULL).returncode == 0
+
+
 @functools.cache
-def warm_up_dolfinx():
+def warm_up_dolfinx(problem="solve"):
     """DOLFINx compiles its forms in the first run ever, the same for all sizes."""
-    run_dolfinx(2, "ml", 1)
+    run_dolfinx(2, "ml", 1, problem)
 
 
 def solve_by_dolfinx(n, name, n_processes):

@@ -46,20 +46,17 @@ DecoupledLaw::distortion(const SymmetricTensor<2, 3> &C) const
   const double along      = free.stress * C;
   energy.stress           = factor * (free.stress - along / 3 * inverse);
   const auto tangent_of_C = free.tangent * C;
-  energy.tangent =
-    factor * factor *
-    (free.tangent - outer_product(inverse, C * free.tangent) / 3. -
-     outer_product(tangent_of_C, inverse) / 3. +
-     (C * tangent_of_C) / 9. * outer_product(inverse, inverse));
-  // The rest is that of a pressure -along/3 of J^-2/3 times C^-1.
-  StrainEnergy of_inverse;
-  add_pressure(1, 0, 1, inverse, of_inverse);
-  energy.tangent -=
-    factor * along / 3 *
-    (of_inverse.tangent - outer_product(inverse, inverse) * (1. / 3));
-  energy.tangent -= 2. / 3 *
-                    (outer_product(inverse, energy.stress) +
-                     outer_product(energy.stress, inverse));
+  energy.tangent          = factor * factor * free.tangent;
+  // The rest is that of a pressure p of J^-2/3 times C^-1,
+  const double p = -factor * along / 3;
+  StrainEnergy of_pressure;
+  add_pressure(p, 0, 1, inverse, of_pressure);
+  energy.tangent += of_pressure.tangent;
+  // and C^-1 (x) A + A (x) C^-1.
+  const SymmetricTensor<2, 3> A =
+    ((factor * factor * (C * tangent_of_C) / 9 - p / 3) / 2) * inverse -
+    factor * factor / 3 * tangent_of_C - 2. / 3 * energy.stress;
+  energy.tangent += outer_product(inverse, A) + outer_product(A, inverse);
   return energy;
 }
 

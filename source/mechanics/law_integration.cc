@@ -6,6 +6,7 @@
 #include <setsudan/mechanics/mixed_cell.h>
 #include <setsudan/mechanics/strain_and_stress.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -263,9 +264,9 @@ LawIntegration<dim>::evaluate(const Cell &cell,
     {
       energy += responses[q].energy * fe_values.JxW(q);
       add_forces(q, responses[q].stress);
-      if (needs_tangent)
-        add_tangent(q, responses[q].tangent);
     }
+  if (needs_tangent)
+    add_tangents(responses);
   if (needs_tangent && decoupled != nullptr)
     add_volume_stiffness(gradients, stiffness);
 }
@@ -308,20 +309,46 @@ LawIntegration<dim>::add_forces(const unsigned int q,
 
 template <int dim>
 void
-LawIntegration<dim>::add_tangent(const unsigned int q,
-                                 const Tensor<4, 3> &of_law)
+LawIntegration<dim>::add_tangents(
+  const std::vector<MaterialResponse> &responses)
 {
-  const auto &fe = discretization.fe;
-  for (unsigned int a = 0; a < forces.size(); ++a)
-    {
-      const unsigned int i = fe.system_to_component_index(a).first;
-      Tensor<2, 3> of_a;
-      for (unsigned int j = 0; j < dim; ++j)
-        of_a += fe_values.shape_grad(a, q)[j] * fe_values.JxW(q) * of_law[i][j];
-      for (unsigned int b = 0; b < forces.size(); ++b)
+  const auto &fe             = discretization.fe;
+  const unsigned int n       = forces.size();
+  const unsigned int n_nodes = n / dim;
+  const unsigned int n_rates = responses.size() * dim;
+  // A node's function has the same gradient in each direction in which it moves
+  // the node.
+  FullMatrix<double> gradients(n_nodes, n_rates);
+  // Of each function the stress, one row of it for each such direction.
+  std::array<FullMatrix<double>, dim> stresses;
+  stresses.fill(FullMatrix<double>(n, n_rates));
+  for (unsigned int q = 0; q < responses.size(); ++q)
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        const auto [i, node] = fe.system_to_component_index(a);
+        const auto gradient  = fe_values.shape_grad(a, q);
+        const auto &of_law   = responses[q].tangent[i];
         for (unsigned int l = 0; l < dim; ++l)
-          tangent(a, b) += of_a[fe.system_to_component_index(b).first][l] *
-                           fe_values.shape_grad(b, q)[l];
+          {
+            gradients(node, q * dim + l) = gradient[l];
+            for (unsigned int k = 0; k < dim; ++k)
+              {
+                double stress = 0;
+                for (unsigned int j = 0; j < dim; ++j)
+                  stress += gradient[j] * of_law[j][k][l];
+                stresses[k](a, q * dim + l) = stress * fe_values.JxW(q);
+              }
+          }
+      }
+  std::array<FullMatrix<double>, dim> products;
+  products.fill(FullMatrix<double>(n, n_nodes));
+  for (unsigned int k = 0; k < dim; ++k)
+    stresses[k].mTmult(products[k], gradients);
+  for (unsigned int b = 0; b < n; ++b)
+    {
+      const auto [k, node] = fe.system_to_component_index(b);
+      for (unsigned int a = 0; a < n; ++a)
+        tangent(a, b) += products[k](a, node);
     }
 }
 

@@ -172,9 +172,10 @@ describe_solve(const CutBody<dim> &body)
               "onto the cut";
         break;
       case CutStrategy::preconditioned:
-        way = "all rows are solved by conjugate gradients in Newton's method, "
-              "preconditioned by one factorization (CHOLMOD) of the body at "
-              "rest";
+        way =
+          "all rows are solved by conjugate gradients in Newton's method, "
+          "preconditioned by a factorization (CHOLMOD) of the body at rest, "
+          "or of a later state where that fits no more";
         break;
       case CutStrategy::row_by_row:
         way = "every row is solved anew, " + each +

@@ -19,10 +19,12 @@ constexpr double most_interface_memory = 4e9;
 // With fewer rows the second factorization does not pay.
 constexpr unsigned int fewest_condensed_rows = 3;
 
-// With a larger one the factor of the body at rest is a poor preconditioner of
-// the tangent: the volume resists more than all else, and in other directions
-// once the body has moved.
-constexpr double largest_poissons_ratio_at_rest = 0.3;
+// With a larger one the factor of one state is a poor preconditioner of the
+// tangent of the next: the volume resists more than all else, and in other
+// directions once the body has moved.
+constexpr double largest_preconditioned_ratio = 0.49;
+// Moduli do not give back a ratio to the last digit.
+constexpr double round_off = 1e-8;
 
 SolverKind
 direct_kind(const SystemSize &size)
@@ -169,11 +171,12 @@ choose_nonlinear_cut_strategy(const ElasticModel<dim> &model,
                               const SolverParameters &parameters,
                               const CutSize &cut)
 {
-  if (cut.has_contact || !has_law_kernel(model))
+  if (cut.has_contact || model.discretization.type == ElementType::linear)
     return row_by_row("since the material is not linear");
   for (const auto &material : model.materials.all())
-    if (material.at_rest.poissons_ratio() > largest_poissons_ratio_at_rest)
-      return row_by_row("since Poisson's ratio exceeds 0.3");
+    if (material.at_rest.poissons_ratio() >
+        largest_preconditioned_ratio + round_off)
+      return row_by_row("since Poisson's ratio exceeds 0.49");
   const auto choice =
     choose_cut_strategy(parameters, size_of(model.discretization), cut);
   if (choice.kind == CutStrategy::condensed)

@@ -21,6 +21,7 @@ TangentIteration<dim>::TangentIteration(
   std::shared_ptr<CondensedSolver<dim>> factor_of_cut)
   : ConstrainedSolver<dim>(model, constraints, parameters)
   , factor(std::move(factor_of_cut))
+  , has_kernel(has_law_kernel(model))
 {
   model.batches().add_ghost_indices(constraints.get_local_lines());
   local_constraints = std::make_unique<const LocalConstraints>(
@@ -56,12 +57,36 @@ TangentIteration<dim>::linearize(const Linearization &linearization,
                                  const double accuracy)
 {
   tolerance = accuracy;
+  present   = linearization;
+  if (!has_kernel)
+    {
+      assemble_tangent(model, linearization, constraints, assembled);
+      return;
+    }
   // Before there is another one, which is as large.
   matrix.reset();
   tangent.reset();
   tangent = tangent_by_kernel(model, linearization);
   matrix  = std::make_unique<const ConstrainedStiffness<dim>>(
     model.discretization, model.batches(), *local_constraints, tangent);
+}
+
+
+
+template <int dim>
+void
+TangentIteration<dim>::multiply(Vector &result, const Vector &direction) const
+{
+  if (has_kernel)
+    {
+      matrix->vmult(result, direction);
+      return;
+    }
+  const auto &batches = model.batches();
+  const LA::Vector x  = batches.copy_out(direction);
+  LA::Vector product  = x;
+  assembled.vmult(product, x);
+  result = batches.copy_in(product);
 }
 
 
@@ -85,6 +110,18 @@ TangentIteration<dim>::precondition(Vector &result,
 
 
 template <int dim>
+void
+TangentIteration<dim>::precondition_anew()
+{
+  if (factor)
+    factor->linearize(present);
+  else
+    make_multigrid(tangent);
+}
+
+
+
+template <int dim>
 bool
 TangentIteration<dim>::iterate(Vector &x,
                                Vector &residual,
@@ -99,7 +136,7 @@ TangentIteration<dim>::iterate(Vector &x,
   double product = residual * corrected;
   for (unsigned int i = 0; i < most; ++i)
     {
-      matrix->vmult(forces, direction);
+      multiply(forces, direction);
       const double curvature = direction * forces;
       ++iterations;
       if (!(curvature > 0 && product > 0))
@@ -135,9 +172,9 @@ TangentIteration<dim>::solve_condensed(const LA::Vector &b,
   Vector residual     = batches.copy_in(b), x(residual);
   x                   = 0;
   bool done           = iterate(x, residual, tolerance * scale, few);
-  if (!done && !factor)
+  if (!done)
     {
-      make_multigrid(tangent);
+      precondition_anew();
       done = iterate(x, residual, tolerance * scale, most_multigrid_iterations);
     }
   quality.residual = scale > 0 ? residual.l2_norm() / scale : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients with the tangent of a deformed body: how many they are
-// with the factor and with the multigrid of the body at rest, that multigrid is
-// made anew where that does not serve, and that they see an unstable body.
+// with the factor and with the multigrid of the body at rest, that these are
+// made anew where they do not serve, and that they see an unstable body.
 
 #include <setsudan/parameters/exceptions.h>
 #include <setsudan/solver/condensed/condensed_solver.h>
@@ -123,6 +123,15 @@ test_pressed()
 }
 
 
+/** The factor of a nearly incompressible body, whose tangent is assembled. */
+void
+test_mixed()
+{
+  const Block body(pressed("0.49", "direct"));
+  test_iterations("mixed, factor", body, body.solve().displacement, true, 50);
+}
+
+
 /** Turned round, a body is nothing like the one at rest to a preconditioner. */
 void
 test_turned()
@@ -133,6 +142,7 @@ test_turned()
       return Tensor<1, 3>({-p[1] - p[0], p[0] - p[1], 0.});
     });
   test_iterations("turned", body, turned, false, 90);
+  test_iterations("turned, factor", body, turned, true, 50);
 }
 
 
@@ -165,6 +175,7 @@ main(int argc, char **argv)
 {
   return run_test(argc, argv, [] {
     test_pressed();
+    test_mixed();
     test_turned();
     test_unstable();
   });

@@ -90,11 +90,13 @@ private:
            const LA::Vector *before,
            const bool needs_tangent);
 
-  /** Add what a point gives to the forces, or to the tangent. */
+  /** Add what a point gives to the forces. */
   void
   add_forces(const unsigned int point, const dealii::Tensor<2, 3> &stress);
+
+  /** Add what the laws give to the tangent. */
   void
-  add_tangent(const unsigned int point, const dealii::Tensor<4, 3> &of_law);
+  add_tangents(const std::vector<MaterialResponse> &responses);
 
   void
   add_volume_stiffness(const Gradients &gradients,

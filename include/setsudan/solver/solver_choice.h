@@ -35,7 +35,7 @@ enum class CutStrategy
   /** Each by a solve of its own. */
   row_by_row,
   /** Each by Newton's method, with conjugate gradients that one factorization
-   * of the body at rest preconditions. */
+   * of the body at rest preconditions, or of a state before. */
   preconditioned
 };
 

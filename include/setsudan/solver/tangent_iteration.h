@@ -17,12 +17,14 @@ template <int dim>
 class PMultigrid;
 
 /**
- * Conjugate gradients with the tangent of a deformed body, which is not
- * assembled, for one tangent after another (see has_law_kernel()).
+ * Conjugate gradients with the tangent of a deformed body, for one tangent
+ * after another. It is not assembled where the kernels know it (see
+ * has_law_kernel()).
  *
  * The preconditioner is that of the body at rest: the factor of its cut, which
- * knows all states of it, or p-multigrid. That is made anew about the present
- * tangent where the iterations become many.
+ * knows all states of it, or p-multigrid. Either is made anew about the present
+ * tangent where the iterations become many; the factor is kept so for the
+ * states that follow.
  */
 template <int dim>
 class TangentIteration : public ConstrainedSolver<dim>
@@ -33,8 +35,8 @@ public:
 
   /** As the base.
    *
-   * @param factor at these constraints, which is solved with at rest; nothing
-   *   for multigrid. */
+   * @param factor at these constraints, of whichever tangent; nothing for
+   *   multigrid, which is for tangents that are not assembled. */
   TangentIteration(const ElasticModel<dim> &model,
                    const dealii::AffineConstraints<double> &constraints,
                    const SolverParameters &parameters,
@@ -42,7 +44,8 @@ public:
 
   ~TangentIteration() override;
 
-  /** Take the tangent about another displacement.
+  /** Take the tangent about another displacement, which must live until it is
+   * solved with.
    *
    * @param tolerance the relative residual at which increment() may end. */
   void
@@ -75,8 +78,16 @@ private:
           const double wanted,
           const unsigned int most);
 
+  /** The product with the tangent. */
+  void
+  multiply(Vector &result, const Vector &direction) const;
+
   void
   precondition(Vector &result, const Vector &residual) const;
+
+  /** Make the preconditioner for the present tangent. */
+  void
+  precondition_anew();
 
   /** Make multigrid for a tangent, or for the body at rest. */
   void
@@ -86,6 +97,8 @@ private:
   using ConstrainedSolver<dim>::constraints;
 
   const std::shared_ptr<CondensedSolver<dim>> factor;
+  const bool has_kernel;
+  Linearization present;
   double tolerance        = 0;
   unsigned int iterations = 0;
   /** In the order in which each needs the one before. */
@@ -93,5 +106,7 @@ private:
   std::shared_ptr<const Tangent> tangent;
   std::unique_ptr<const ConstrainedStiffness<dim>> matrix, of_multigrid;
   std::unique_ptr<const PMultigrid<dim>> multigrid;
+  /** Of laws that the kernels do not know. */
+  LA::SparseMatrix assembled;
 };
 } // namespace Setsudan

@@ -60,33 +60,7 @@ CondensedSolver<dim>::CondensedSolver(
       if (entries(all_constrained)[unknown] == 0)
         cut.push_back(unknown);
   cut = of_first_process(communicator, [&] { return cut; });
-  LA::SparseMatrix matrix;
-  assemble_stiffness(model.discretization, model.stiffness, *base, matrix);
-  largest_entry = matrix.linfty_norm();
-  if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-    condense_onto_cut(matrix);
-  else
-    condense_onto_cut(gather(matrix));
-}
-
-
-
-template <int dim>
-void
-CondensedSolver<dim>::condense_onto_cut(const LA::SparseMatrix &matrix)
-{
-  if (!is_first)
-    return;
-  condensation = std::make_unique<StaticCondensation>(matrix, cut);
-  std::vector<std::vector<std::pair<unsigned int, double>>> springs;
-  for (const auto &vector : foundation)
-    {
-      springs.emplace_back();
-      for (const auto &[place, factor] : placed_on_cut(vector, {}))
-        springs.back().emplace_back(place, factor);
-    }
-  condensation->add_foundation(springs);
-  interface = std::make_unique<InterfaceSystem>(cut, condensation->stiffness());
+  condense_at_rest();
 }
 
 

@@ -91,14 +91,18 @@ MumpsSolver::Instance::Instance(const LA::SparseMatrix &matrix,
 {
   const auto [begin, end] = matrix.local_range();
   for (auto row = begin; row < end; ++row)
-    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-      if (entry->column() <= row)
-        {
-          // MUMPS counts from 1.
-          rows.push_back(row + 1);
-          columns.push_back(entry->column() + 1);
-          entries.push_back(entry->value());
-        }
+    {
+      // To make an iterator is to copy a row.
+      const auto last = matrix.end(row);
+      for (auto entry = matrix.begin(row); entry != last; ++entry)
+        if (entry->column() <= row)
+          {
+            // MUMPS counts from 1.
+            rows.push_back(row + 1);
+            columns.push_back(entry->column() + 1);
+            entries.push_back(entry->value());
+          }
+    }
   data.comm_fortran = MPI_Comm_c2f(matrix.get_mpi_communicator());
   data.par          = 1;
   data.sym          = is_definite ? 1 : 2;

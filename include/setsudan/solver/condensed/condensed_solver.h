@@ -49,6 +49,14 @@ public:
   bool
   set_constraints(std::shared_ptr<const Constraints> stage);
 
+  /** Factor another tangent than that of the body at rest, at the present
+   * stage: correction() is with it from here on. On one process.
+   *
+   * @throw NotDefiniteError where it is not positive definite; then the factor
+   *   is that of the body at rest. */
+  void
+  linearize(const Linearization &linearization);
+
   /** See InterfaceSystem. */
   bool
   append_stage(const Constraints &stage);
@@ -106,8 +114,13 @@ private:
     StaticCondensation::Eliminated loads;
   };
 
+  /** Eliminate what is not on the cut. */
   void
   condense_onto_cut(const LA::SparseMatrix &matrix);
+
+  /** The same of the stiffness of the body at rest. */
+  void
+  condense_at_rest();
 
   /** What body and foundation resist a displacement with. */
   LA::Vector
