@@ -209,8 +209,6 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
                      "Split rows",
                      "opened or free" + where);
   parameters.require(
-    scene.blade.sliding.is_guided, "Blade", "Guide", "fixed" + where);
-  parameters.require(
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
   parameters.require(
     !scene.accuracy.estimate, "Accuracy", "Estimate", "false" + where);
