@@ -287,17 +287,10 @@ WRONG_WEDGED = [
     ("Blade/Shape", "wedge", "line where Blade/Drive is force"),
     ("Blade/Thickness", "-1", "not negative"),
 ]
-FINITE = {"Deformation/Strain": "finite"}
 
 WRONG_TRAVEL = [
     ("Cut/Notch", "-1", "not negative"),
     ("Cut/Notch", "10", "the depth of"),
-    ("Blade/Adhesion", "1", "0 where Deformation/Strain is finite", FINITE),
-    ("Blade/Guide", "free", "fixed where Deformation/Strain is finite", FINITE),
-    ("Blade/Travel", "1, 0.5", "ascend where there is friction",
-     {**FINITE, "Blade/Friction": "0.1"}),
-    ("Blade/Drive", "travel", "force where Deformation/Strain is auto",
-     {"Deformation/Strain": "auto"}),
     ("Blade/Friction", "-0.1", "not negative"),
     ("Blade/Friction", "nan", PATTERN),
     *[("Blade/Edge points", points, "position : distance behind the foremost one")
