@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <setsudan/simulation/cut_contact.h>
-#include <setsudan/simulation/nonlinear_contact.h>
 #include <setsudan/simulation/simulation.h>
+#include <setsudan/simulation/state_on_board.h>
 
 #include <string>
 
@@ -10,34 +9,6 @@
 namespace Setsudan
 {
 using namespace dealii;
-
-namespace
-{
-/** A body without a cut as it lies on its board.
- *
- * @param from whose displacement is near it. */
-template <int dim>
-State<dim>
-state_on_board(CutBody<dim> &body, const State<dim> &from)
-{
-  const BladeProfile no_blade;
-  State<dim> state;
-  if (body.model().is_linear())
-    {
-      CutContact<dim> contact(body, no_blade, from.displacement);
-      state = contact.state(
-        *contact.path_without_blade({}, nullptr), 0, 0, from.displacement);
-    }
-  else
-    {
-      const NonlinearContact<dim> contact(body, no_blade, from.displacement);
-      state = contact.state(contact.begin(0, 0, {}, from.displacement), 0);
-    }
-  state.motion = from.motion;
-  return state;
-}
-} // namespace
-
 
 template <int dim>
 void

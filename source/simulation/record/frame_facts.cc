@@ -64,15 +64,21 @@ add_blade(const CutBody<dim> &body,
     }
   std::sort(facts.front.begin(), facts.front.end());
   std::vector<Tensor<1, dim>> points, forces;
+  double magnitudes = 0;
   for (const auto &force : blade.forces)
     {
       points.push_back(force.point);
       forces.push_back(load_factor * force.force);
       sum += forces.back();
+      magnitudes += forces.back().norm();
     }
-  // Contact has forces at all nodes that touch.
+  // Contact has forces at all nodes that touch. Where flanks are parallel they
+  // cancel.
+  constexpr double round_off = 1e-12;
   if (body.scene().blade.travels)
     {
+      if (sum.norm() <= round_off * magnitudes)
+        sum = Tensor<1, dim>();
       points = {middle / static_cast<double>(front.size())};
       forces = {sum};
     }
