@@ -193,6 +193,12 @@ check_contact(const Parameters &parameters, const Scene<dim> &scene)
                               : " where Division/Split rows is wedged";
   parameters.require(
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
+  parameters.require(
+    !scene.blade.travels ||
+      scene.division.split_rows == DivisionParameters::SplitRows::opened,
+    "Division",
+    "Split rows",
+    "opened" + where + ", which keeps walls apart by its flanks alone");
 }
 
 

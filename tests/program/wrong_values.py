@@ -289,6 +289,8 @@ WRONG_WEDGED = [
 ]
 
 WRONG_TRAVEL = [
+    ("Division/Split rows", "wedged", "opened where Blade/Drive is travel"),
+    ("Division/Split rows", "free", "opened where Blade/Drive is travel"),
     ("Cut/Notch", "-1", "not negative"),
     ("Cut/Notch", "10", "the depth of"),
     ("Blade/Friction", "-0.1", "not negative"),
