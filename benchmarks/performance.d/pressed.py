@@ -136,9 +136,9 @@ def contact(n=10):
     """A block of 10^3 elements into which a rigid tool is pressed by a tenth of it,
     without friction: isochoric neo-Hooke, 14 883 unknowns, on one process. CalculiX has the
     same mesh and law, contact from surface to surface with a penalty of 50 times Young's
-    modulus over the block's height in a tenth, steps as it chooses and two threads. Under
-    the plane GetFEM finds 56.0949 N with multipliers; at the edge of a sharp wedge the
-    pressure is singular, and on this mesh the forces of methods differ by 7 %."""
+    modulus over an element's side, steps as it chooses and two threads. Under the plane
+    GetFEM finds 56.0949 gf with multipliers; at the edge of a sharp wedge the pressure is
+    singular, and on this mesh the forces of methods differ by 7 %."""
     rows = []
     for tool in ("plane", "wedge"):
         own = remembered(f"pressed {tool} {n}, Setsudan", lambda tool=tool: press(n, tool))
@@ -146,4 +146,4 @@ def contact(n=10):
                            lambda tool=tool: press_by_calculix(n, tool))
         rows += [[tool, "Setsudan", 1, f"{own[1]:.4f}"],
                  ["", "CalculiX", number(other[0] / own[0]), f"{other[1]:.4f}"]]
-    return table(["tool", "", "time", "force [N]"], rows)
+    return table(["tool", "", "time", "force [gf]"], rows)
