@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <setsudan/kernel/blas.h>
+#include <setsudan/material/presets.h>
 #include <setsudan/parameters/text_lines.h>
 #include <setsudan/simulation/interruption.h>
 #include <setsudan/simulation/record/resumption.h>
@@ -41,6 +42,7 @@ struct CommandLine
   bool validate         = false;
   bool verbose          = false;
   bool print_parameters = false;
+  bool print_materials  = false;
 };
 
 /** Say what was understood of a scene, and where an output directory is named
@@ -79,10 +81,13 @@ run(const CommandLine &command_line,
 {
   const bool speaks =
     dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  const Parameters parameters(command_line.scene.empty() ? "default scene"
-                                                         : command_line.scene,
-                              entries,
-                              Scene<dim>::declare);
+  const std::string name =
+    command_line.scene.empty() ? "default scene" : command_line.scene;
+  const Presets presets;
+  const Parameters given(name, entries, Scene<dim>::declare);
+  auto all_entries = presets.entries(given);
+  all_entries.insert(all_entries.end(), entries.begin(), entries.end());
+  const Parameters parameters(name, all_entries, Scene<dim>::declare);
   if (command_line.print_parameters && speaks)
     parameters.print(std::cout);
   if (command_line.scene.empty())
@@ -98,6 +103,8 @@ run(const CommandLine &command_line,
     say_what_is_valid(command_line, scene, communicator);
   if (command_line.validate || command_line.print_parameters)
     return;
+  for (const auto &line : presets.describe(given))
+    out << line << std::endl;
   note_interruptions();
   EarlierRun earlier;
   if (command_line.resume)
@@ -197,10 +204,15 @@ read(int argc, char **argv, const bool speaks, CommandLine &command_line)
   app.add_flag("--print-parameters",
                command_line.print_parameters,
                "Print all parameters and stop");
+  app.add_flag("--print-materials",
+               command_line.print_materials,
+               "Print the materials of Material/Preset with their sources and "
+               "stop");
   try
     {
       app.parse(argc, argv);
-      if (command_line.scene.empty() && !command_line.print_parameters)
+      if (command_line.scene.empty() && !command_line.print_parameters &&
+          !command_line.print_materials)
         throw CLI::RequiredError("SCENE");
     }
   catch (const CLI::ParseError &error)
@@ -210,7 +222,12 @@ read(int argc, char **argv, const bool speaks, CommandLine &command_line)
         app.exit(error);
       return error.get_exit_code() == 0 ? success : wrong_command_line;
     }
-
+  if (command_line.print_materials)
+    {
+      if (speaks)
+        Presets().print(std::cout);
+      return success;
+    }
   return {};
 }
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/material/element_values.h>
 #include <setsudan/material/material_parameters.h>
+#include <setsudan/material/presets.h>
 
 #include <algorithm>
 #include <map>
@@ -14,6 +15,7 @@ template <int dim>
 void
 MaterialParameters<dim>::declare(ParameterHandler &handler)
 {
+  Presets::declare(handler);
   LawParameters::declare(handler);
   Setsudan::declare(handler,
                     "Material",

@@ -70,13 +70,14 @@ Scene<dim>::declare(ParameterHandler &handler)
                     "cm",
                     Patterns::Anything(),
                     "A label for tables and pictures: any consistent set of "
-                    "units works.");
+                    "units works. With Material/Preset m, cm, mm or um.");
   Setsudan::declare(handler,
                     "",
                     "Force unit",
                     "gf",
                     Patterns::Anything(),
-                    "A label, as the unit of length.");
+                    "A label, as the unit of length. With Material/Preset N, "
+                    "kN, mN, uN, gf or kgf.");
   BodyParameters<dim>::declare(handler);
   MaterialParameters<dim>::declare(handler);
   RateLaw::declare(handler);

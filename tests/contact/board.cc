@@ -6,8 +6,8 @@
 // - x^2)). Of a block that is pushed along the board it is said how much of
 // Coulomb's coefficient times its weight holds it.
 
-#include <setsudan/simulation/state_on_board.h>
 #include <setsudan/simulation/state.h>
+#include <setsudan/simulation/state_on_board.h>
 
 #include <algorithm>
 #include <cmath>

@@ -44,7 +44,7 @@ ROOMS = [
 ]
 
 # What source/main.cc may include, which belongs to no room.
-ROOMS_OF_MAIN = ["parameters", "kernel", "simulation", "simulation/record"]
+ROOMS_OF_MAIN = ["parameters", "kernel", "material", "simulation", "simulation/record"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 

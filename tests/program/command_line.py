@@ -44,6 +44,7 @@ CASES = [
     case(0, ["scene.prm", "--validate", "--set", "Blade/Direction=0,1,-1"], "valid"),
     case(0, ["scene.prm", "--validate", "--verbose"], "Linear algebra: ", "valid"),
     case(0, ["--print-parameters"], "subsection Material", "set Young's modulus"),
+    case(0, ["--print-materials"], "firm tofu", "St. Pierre", "assumed"),
     case(0, ["plane.prm", "--print-parameters"], "set Size         = 10, 10\n"),
     case(0, ["--print-parameters", "--set", "Body/Size=7,8,9"], "= 7,8,9"),
 ]
