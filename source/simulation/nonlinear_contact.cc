@@ -52,8 +52,8 @@ typename NonlinearContact<dim>::Stage &
 NonlinearContact<dim>::stage(const unsigned int n_split,
                              const unsigned int n_ahead) const
 {
-  // The present one, and that of a trial: each has a factor.
-  constexpr unsigned int most_kept = 2;
+  // The present one, and those of two trials: each has a factor.
+  constexpr unsigned int most_kept = 3;
   const auto found =
     std::find_if(stages.begin(), stages.end(), [&](const Stage &known) {
       return known.n_split == n_split && known.n_ahead == n_ahead;

@@ -46,7 +46,9 @@ SymmetricFactor::SymmetricFactor(LAPACKFullMatrix<double> &&matrix)
   dsytrf_(
     "L", &n, &factor(0, 0), &n, pivots.data(), workspace.data(), &size, &info);
   if (info != 0)
-    throw SolverError("The stiffness of the unknowns that touch is singular.");
+    throw SolverError(
+      "The stiffness of the unknowns that touch is singular. Check that "
+      "supports hold the body.");
 }
 
 
