@@ -45,7 +45,8 @@ SCENES = pathlib.Path(__file__).resolve().parents[1] / "scenes"
 # made before the yield, refinement for a target, curved elements of two materials.
 KINDS = ["iterative.prm", "double_cantilever.prm", "accuracy.prm", "refined_2d.prm",
          "group_of_faces.prm", "blade_wedge.prm", "blade_wire.prm", "blade_stress.prm",
-         "blade_withdraw.prm", "wedged.prm", "board_cut.prm", "finite_auto.prm"]
+         "blade_withdraw.prm", "wedged.prm", "board_cut.prm", "finite_auto.prm",
+         "plastic_cut.prm"]
 
 
 class Failure(Exception):
