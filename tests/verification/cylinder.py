@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A thick cylinder under inner pressure, near incompressibility."""
+"""A thick cylinder under inner pressure, near incompressibility, elastic and plastic."""
 
 import math
 
@@ -82,4 +82,6 @@ def plastic_rows(options):
 CASE = Case(
     "cylinder", "Thick cylinder near incompressibility",
     "Lamé's closed form; MacNeal & Harder 1985; the ratios that are expected of the "
-    "displacement formulation are an independent 20-node code's with 3 × 3 × 3 points", rows)
+    "displacement formulation are an independent 20-node code's with 3 × 3 × 3 points; "
+    "plastic flow without hardening: p = 2 k (ln(c/a) + (1 - c²/b²)/2) and k c²/(2 G a) for "
+    "von Mises and an incompressible body", rows)
