@@ -108,6 +108,33 @@ read_numbers(const Parameters &parameters,
 
 
 template <int dim>
+ElementValues<std::vector<double>>
+read_lists(const Parameters &parameters,
+           const Body<dim> &body,
+           const std::string &name,
+           const std::string &kind,
+           const unsigned int n_numbers,
+           bool (*is_allowed)(double))
+{
+  return read_values<dim, std::vector<double>>(
+    parameters,
+    body,
+    name,
+    kind,
+    "'" + kind + "', " + std::to_string(n_numbers) +
+      " numbers that are not negative",
+    [&](const std::string &text) -> std::optional<std::vector<double>> {
+      std::vector<double> numbers;
+      if (parse_numbers(text, numbers) && numbers.size() == n_numbers &&
+          std::all_of(numbers.begin(), numbers.end(), is_allowed))
+        return numbers;
+      return {};
+    });
+}
+
+
+
+template <int dim>
 ElementValues<std::string>
 read_names(const Parameters &parameters,
            const Body<dim> &body,
@@ -131,16 +158,22 @@ read_names(const Parameters &parameters,
 
 
 
-#define INSTANTIATE(dim)                                              \
-  template ElementValues<double> read_numbers(const Parameters &,     \
-                                              const Body<dim> &,      \
-                                              const std::string &,    \
-                                              const std::string &,    \
-                                              bool (*)(double));      \
-  template ElementValues<std::string> read_names(const Parameters &,  \
-                                                 const Body<dim> &,   \
-                                                 const std::string &, \
-                                                 const std::string &, \
+#define INSTANTIATE(dim)                                                      \
+  template ElementValues<double> read_numbers(const Parameters &,             \
+                                              const Body<dim> &,              \
+                                              const std::string &,            \
+                                              const std::string &,            \
+                                              bool (*)(double));              \
+  template ElementValues<std::vector<double>> read_lists(const Parameters &,  \
+                                                         const Body<dim> &,   \
+                                                         const std::string &, \
+                                                         const std::string &, \
+                                                         const unsigned int,  \
+                                                         bool (*)(double));   \
+  template ElementValues<std::string> read_names(const Parameters &,          \
+                                                 const Body<dim> &,           \
+                                                 const std::string &,         \
+                                                 const std::string &,         \
                                                  const std::string &);
 
 INSTANTIATE(2)

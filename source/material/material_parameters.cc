@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <setsudan/material/element_values.h>
+#include <setsudan/material/given_values.h>
+#include <setsudan/material/j2_plasticity.h>
 #include <setsudan/material/material_parameters.h>
 #include <setsudan/material/presets.h>
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 namespace Setsudan
 {
@@ -47,6 +47,22 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "The energy for each new area that a blade of sharpness 0 "
                     "needs, with the criterion energy release; greater than 0 "
                     "[force/length].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Yield stress",
+                    "0",
+                    Patterns::Anything(),
+                    "The stress at which a bar begins to flow (von Mises), so "
+                    "that it stays deformed; 0 for a material that is elastic. "
+                    "With Deformation/Strain = small [force/area].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Hardening",
+                    "0, 0",
+                    Patterns::Anything(),
+                    "'isotropic, kinematic': by how much Yield stress rises "
+                    "with the plastic strain of a bar, and by how much the "
+                    "center of its elastic range moves [force/area].");
   Setsudan::declare(handler,
                     "Material",
                     "Formulation",
@@ -97,13 +113,6 @@ make_law(const Parameters &parameters,
                      "displacement");
   return law;
 }
-
-template <typename Value>
-const Value &
-value_of(const ElementValues<Value> &values, const unsigned int element)
-{
-  return values[values.size() == 1 ? 0 : element];
-}
 } // namespace
 
 
@@ -112,21 +121,9 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                                             const Body<dim> &body)
   : linear_range(parameters.number("Material", "Linear range"))
 {
-  const auto is_positive     = [](const double value) { return value > 0; };
-  const std::string positive = "a number greater than 0";
-  const auto moduli =
-    read_numbers(parameters, body, "Young's modulus", positive, is_positive);
-  const auto ratios =
-    read_numbers(parameters,
-                 body,
-                 "Poisson's ratio",
-                 "a number greater than -1 and less than 0.5",
-                 [](const double value) { return value > -1 && value < 0.5; });
-  const auto limits =
-    read_numbers(parameters, body, "Shear limit", positive, is_positive);
-  const auto toughnesses =
-    read_numbers(parameters, body, "Toughness", positive, is_positive);
-  parameters.require(linear_range > 0, "Material", "Linear range", positive);
+  const GivenValues<dim> given(parameters, body);
+  parameters.require(
+    linear_range > 0, "Material", "Linear range", "a number greater than 0");
 
   const std::string formulation = parameters.text("Material", "Formulation");
   formulation_is_named          = formulation != "auto";
@@ -143,40 +140,38 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                      "Linear range",
                      "a number less than 1 where Deformation/Strain is auto, "
                      "since a body may be inside out beyond that");
-  const auto names =
-    read_names(parameters, body, "Law", "law", LawParameters::names());
-  std::map<std::tuple<double, double, double, double, std::string>,
-           unsigned int>
-    numbers;
-  // One of them, where all are the same everywhere.
-  const std::size_t n_values = std::max({moduli.size(),
-                                         ratios.size(),
-                                         limits.size(),
-                                         toughnesses.size(),
-                                         names.size()});
-  for (unsigned int element = 0; element < n_values; ++element)
+  std::map<typename GivenValues<dim>::OfElement, unsigned int> numbers;
+  bool hardens = false;
+  for (unsigned int element = 0; element < given.size(); ++element)
     {
-      const auto values   = std::make_tuple(value_of(moduli, element),
-                                          value_of(ratios, element),
-                                          value_of(limits, element),
-                                          value_of(toughnesses, element),
-                                          value_of(names, element));
+      const auto values   = given.of_element(element);
       const auto inserted = numbers.emplace(values, numbers.size());
       if (inserted.second)
         {
-          const auto &[modulus, ratio, limit, toughness, name] = values;
+          const auto
+            &[modulus, ratio, limit, toughness, yield, hardening, name] =
+              values;
+          hardens = hardens || hardening[0] > 0 || hardening[1] > 0;
           const Hooke at_rest(modulus, ratio);
           const bool mixed = is_mixed(ratio);
-          materials.push_back({at_rest,
-                               make_law(parameters, laws, name, at_rest, mixed),
-                               limit,
-                               toughness,
-                               mixed});
+          auto law         = make_law(parameters, laws, name, at_rest, mixed);
+          if (yield > 0)
+            law = std::make_shared<const J2Plasticity>(
+              at_rest, yield, Hardening{hardening[0], hardening[1]});
+          materials.push_back({at_rest, law, limit, toughness, mixed});
         }
       material_of_element.push_back(inserted.first->second);
     }
   if (materials.size() == 1)
     material_of_element.clear();
+  parameters.require(!is_plastic() || strain == LawParameters::Strain::small,
+                     "Deformation",
+                     "Strain",
+                     "small where Material/Yield stress is given");
+  parameters.require(is_plastic() || !hardens,
+                     "Material",
+                     "Hardening",
+                     "0, 0 where no Material/Yield stress is given");
   if (strain == LawParameters::Strain::automatic)
     for (auto &material : materials)
       {
@@ -287,6 +282,18 @@ MaterialParameters<dim>::is_linear() const
   return std::all_of(
     materials.begin(), materials.end(), [](const Material &material) {
       return material.law->linear() != nullptr;
+    });
+}
+
+
+
+template <int dim>
+bool
+MaterialParameters<dim>::is_plastic() const
+{
+  return std::any_of(
+    materials.begin(), materials.end(), [](const Material &material) {
+      return material.law->is_plastic();
     });
 }
 

@@ -80,6 +80,16 @@ InternalVariables<dim>::after(const unsigned int cell, const unsigned int point)
 
 
 template <int dim>
+ArrayView<const double>
+InternalVariables<dim>::present(const unsigned int cell,
+                                const unsigned int point) const
+{
+  return {trial.data() + first(cell, point), n_of_point[cell]};
+}
+
+
+
+template <int dim>
 void
 InternalVariables<dim>::accept()
 {

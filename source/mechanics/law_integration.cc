@@ -194,6 +194,32 @@ LawIntegration<dim>::respond_mixed(const DecoupledLaw &law,
 
 template <int dim>
 void
+LawIntegration<dim>::project_dilatation(
+  const double lambda,
+  const Gradients &gradients,
+  std::vector<MaterialResponse> &responses) const
+{
+  const auto &points = fe_values.get_quadrature_points();
+  std::vector<double> divergences;
+  for (const auto &gradient : gradients)
+    divergences.push_back(trace(gradient));
+  const auto fit = dilatation_fit(discretization.type, fe_values)(divergences);
+  const Tensor<2, 3> one(unit_symmetric_tensor<3>());
+  const auto of_trace = lambda * outer_product(one, one);
+  for (unsigned int q = 0; q < responses.size(); ++q)
+    {
+      const double theta = fit(points[q]);
+      responses[q].stress += lambda * (theta - divergences[q]) * one;
+      responses[q].tangent -= of_trace;
+      responses[q].energy +=
+        lambda / 2 * (theta * theta - divergences[q] * divergences[q]);
+    }
+}
+
+
+
+template <int dim>
+void
 LawIntegration<dim>::add_volume_stiffness(const Gradients &gradients,
                                           const std::vector<double> &stiffness)
 {
@@ -241,19 +267,26 @@ LawIntegration<dim>::evaluate(const Cell &cell,
   const auto *const decoupled =
     material.is_mixed && elastic != nullptr ? elastic->decoupled() : nullptr;
   fe_values.reinit(cell);
-  forces               = 0;
-  tangent              = 0;
-  energy               = 0;
-  const auto gradients = gradients_of(displacement);
+  forces         = 0;
+  tangent        = 0;
+  energy         = 0;
+  plastic_energy = 0;
+  auto gradients = gradients_of(displacement);
   Gradients gradients_before;
   if (before != nullptr)
     gradients_before = gradients_of(*before);
   const Gradients *const from = before != nullptr ? &gradients_before : nullptr;
   std::vector<double> stiffness;
-  const auto responses =
+  auto responses =
     decoupled != nullptr
       ? respond_mixed(*decoupled, gradients, from, stiffness)
       : respond(*material.law, cell->active_cell_index(), gradients, from);
+  if (material.is_mixed && elastic == nullptr)
+    {
+      project_dilatation(material.at_rest.lambda, gradients, responses);
+      stiffness.assign(gradients.size(), material.at_rest.lambda);
+      gradients.assign(gradients.size(), Tensor<2, 3>());
+    }
   for (const auto &response : responses)
     if (!std::isfinite(response.energy))
       {
@@ -263,11 +296,12 @@ LawIntegration<dim>::evaluate(const Cell &cell,
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
       energy += responses[q].energy * fe_values.JxW(q);
+      plastic_energy += responses[q].plastic_energy * fe_values.JxW(q);
       add_forces(q, responses[q].stress);
     }
   if (needs_tangent)
     add_tangents(responses);
-  if (needs_tangent && decoupled != nullptr)
+  if (needs_tangent && !stiffness.empty())
     add_volume_stiffness(gradients, stiffness);
 }
 

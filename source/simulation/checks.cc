@@ -151,6 +151,8 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
     }
   event.strain_energy    = state.strain_energy;
   event.potential_energy = state.potential_energy;
+  if (event.plastic_energy)
+    event.plastic_energy = state.plastic_energy;
 
   const auto extremes    = find_extremes(body.model(), state.displacement);
   event.min_jacobian     = extremes.min_jacobian;
@@ -210,10 +212,14 @@ check_energy_of_split(const CutBody<dim> &body,
   if (!body.model().is_linear() &&
       (after.opening.linfty_norm() > 0 || after.pressure_energy != 0))
     return;
-  const double energy_after = after.strain_energy + after.pressure_energy -
-                              after.forces * after.displacement;
-  const double energy_before = before.strain_energy + before.pressure_energy -
-                               after.forces * before.displacement;
+  // Plastic flow is no loss here: a body takes the least of what it stores and
+  // what flow takes, from the last state on.
+  const auto energy_of = [&](const State<dim> &state) {
+    return state.strain_energy + state.plastic_energy + state.pressure_energy -
+           after.forces * state.displacement;
+  };
+  const double energy_after  = energy_of(after);
+  const double energy_before = energy_of(before);
 
   // What the constraints of the opened rows exert, along the opening that the
   // last split has added; rows that were open before have no part in it.

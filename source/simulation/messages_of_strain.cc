@@ -16,6 +16,8 @@ describe_strain(const MaterialParameters<dim> &materials)
            "principal "
            "strain exceeds Material/Linear range = " +
            short_text(materials.linear_range) + ".";
+  if (materials.is_plastic())
+    return "Strain: small, with plastic flow, by Newton's method.";
   if (!materials.finite_strain)
     return {};
   std::set<std::string> laws;

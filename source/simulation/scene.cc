@@ -234,6 +234,45 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
 }
 
 
+/** Refuse what does not go with plastic flow. */
+template <int dim>
+void
+check_plasticity(const Parameters &parameters, const Scene<dim> &scene)
+{
+  const std::string where = " where Material/Yield stress is given";
+  parameters.require(!scene.blade.travels,
+                     "Blade",
+                     "Drive",
+                     "force" + where +
+                       ", since contact is found for elastic bodies only");
+  parameters.require(
+    !scene.board.is_given, "Board", "Plane", "nothing" + where);
+  parameters.require(
+    !scene.has_contact(), "Division", "Split rows", "opened or free" + where);
+  parameters.require(!scene.yield.compares_energies(),
+                     "Yield",
+                     "Criterion",
+                     "maximum shear or another stress" + where +
+                       ": plastic flow at the front takes what a split sets "
+                       "free, the more of it the smaller the elements are");
+  parameters.require(
+    scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
+  parameters.require(
+    !scene.accuracy.estimate, "Accuracy", "Estimate", "false" + where);
+  parameters.require(scene.solver.cut_solve !=
+                       SolverParameters::CutSolve::condensed,
+                     "Division",
+                     "Solve",
+                     "auto or every row anew" + where);
+  parameters.require(!scene.output.calculix_decks,
+                     "Output",
+                     "CalculiX decks",
+                     "false" + where +
+                       ", since a deck knows nothing of the states before");
+}
+
+
+
 /** Refuse decks for CalculiX with laws that it does not have. */
 template <int dim>
 void
@@ -325,6 +364,8 @@ Scene<dim>::Scene(const Parameters &parameters)
     check_contact(parameters, *this);
   if (material.strain != LawParameters::Strain::small)
     check_finite_strain(parameters, *this);
+  if (material.is_plastic())
+    check_plasticity(parameters, *this);
   parameters.require(
     !rate.is_active() || blade.path.has_times(),
     "Material",

@@ -28,6 +28,9 @@ Simulation<dim>::accept(State<dim> &&new_state,
   const auto evaluate = [&] {
     const TimerOutput::Scope section(timer, "check state");
     event.frame = n_frames;
+    // What was solved for last may be another state, as of a ramp.
+    if (!body.model().internal.empty())
+      evaluate_laws(body.model(), new_state.displacement);
     return evaluate_state(body, new_state, event);
   };
   const Event last = event;

@@ -22,6 +22,8 @@ Simulation<dim>::rest()
     event.motion = BladeMotion();
   if (body.board())
     event.board_force = 0;
+  if (scene.material.is_plastic())
+    event.plastic_energy = 0;
   results.record("rest", event);
   results.write_state(body, state, event, true);
 }

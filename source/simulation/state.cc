@@ -80,7 +80,8 @@ set_solution(const ElasticModel<dim> &model,
   else
     {
       const InternalForces of_laws = evaluate_laws(model, state.displacement);
-      state.strain_energy          = of_laws.energy;
+      state.plastic_energy         = of_laws.plastic_energy;
+      state.strain_energy          = of_laws.energy - of_laws.plastic_energy;
       state.pressure_energy        = of_laws.potential_of_pressure;
     }
   state.potential_energy = state.strain_energy + state.pressure_energy -

@@ -36,9 +36,10 @@ try_part(const ElasticModel<dim> &model,
     if (succeeds(
           [&] {
             reached = path.go(from, part_of_from, part, tangent);
-            return reached && is_attainable(model,
-                                            from.displacement,
-                                            reached->displacement);
+            return reached &&
+                   (!model.materials.finite_strain ||
+                    is_attainable(
+                      model, from.displacement, reached->displacement));
           },
           failure))
       return reached;

@@ -112,12 +112,13 @@ throw_no_equilibrium(const ElasticModel<dim> &model,
   // A volume, or resistance of a law, that is nearly nothing is why, and no
   // softness elsewhere.
   constexpr double nearly_nothing = 0.2;
+  const bool is_finite            = model.materials.finite_strain;
   const auto volume               = find_smallest_volume(model, last);
   std::ostringstream message;
   message.precision(3);
   message << "There is no stable equilibrium beyond " << part
           << " of the way from the last state to this one. ";
-  if (volume.ratio < nearly_nothing)
+  if (is_finite && volume.ratio < nearly_nothing)
     message << "Element " << volume.element << " is pressed to " << volume.ratio
             << " of its volume at its node " << text_of(volume.node)
             << " there: a force at a node or on a line presses a fine mesh "

@@ -171,7 +171,8 @@ choose_nonlinear_cut_strategy(const ElasticModel<dim> &model,
                               const SolverParameters &parameters,
                               const CutSize &cut)
 {
-  if (cut.has_contact || model.discretization.type == ElementType::linear)
+  if (cut.has_contact || !model.materials.finite_strain ||
+      model.discretization.type == ElementType::linear)
     return row_by_row("since the material is not linear");
   for (const auto &material : model.materials.all())
     if (material.at_rest.poissons_ratio() >

@@ -7,6 +7,8 @@ E = "Material/Young's modulus"
 NU = "Material/Poisson's ratio"
 LAW = "Material/Law"
 FINITE = {"Deformation/Strain": "finite"}
+YIELD, HARDENING = "Material/Yield stress", "Material/Hardening"
+PLASTIC = {YIELD: "0.5"}
 
 WRONG_MATERIALS = [
     (NU, "0.5", "greater than -1 and less than 0.5"),
@@ -70,6 +72,26 @@ WRONG_MATERIALS = [
     ("Material/Linear range", "0", "greater than 0"),
     ("Material/Linear range", "1", "less than 1", {"Deformation/Strain": "auto"}),
     ("Division/Split rows", "wedged", "Strain is auto", {"Deformation/Strain": "auto"}),
+    (YIELD, "-1", "not negative"),
+    (YIELD, "nan", PATTERN),
+    (YIELD, "", "not negative"),
+    (YIELD, "1; top : 2", "groups of elements, and 'top' is none"),
+    ("Deformation/Strain", "finite", "small where Material/Yield stress", PLASTIC),
+    ("Deformation/Strain", "auto", "small where Material/Yield stress", PLASTIC),
+    (HARDENING, "1", "isotropic, kinematic", PLASTIC),
+    (HARDENING, "1, -1", "not negative", PLASTIC),
+    (HARDENING, "1, 0, 0", "isotropic, kinematic", PLASTIC),
+    (HARDENING, "1, 0", "no Material/Yield stress"),
+    ("Blade/Drive", "travel", "elastic bodies only",
+     {**PLASTIC, "Blade/Edge loads": ""}),
+    ("Board/Plane", "0,0,0; 0,0,1", "nothing where Material/Yield stress",
+     {**PLASTIC, "Cut/Surfaces": ""}),
+    ("Division/Split rows", "wedged", "opened or free", PLASTIC),
+    ("Division/Solve", "condensed", "every row anew", PLASTIC),
+    ("Yield/Criterion", "energy release", "maximum shear or another", PLASTIC),
+    ("Accuracy/Estimate", "true", "false where", PLASTIC),
+    ("Accuracy/Target", "0.01", "0 where", PLASTIC),
+    ("Output/CalculiX decks", "true", "states before", PLASTIC),
     (E, "5; cream : 0.5", "and 'cream' is none of them"),
     (E, "5; top : 0.5", "groups of elements, and 'top' is none"),
     (E, "top : 0.5", "groups of elements, and 'top' is none"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A thick cylinder under inner pressure, near incompressibility."""
+"""A thick cylinder under inner pressure, near incompressibility, elastic and plastic."""
 
 import math
 
@@ -59,7 +59,29 @@ def rows(options, _):
                   closed_form(.4999, RADII[0]), state.at((RADII[0], 0), "ux"), bound)
 
 
+    yield from plastic_rows(options)
+
+
+def plastic_rows(options):
+    """Plastic flow up to a radius c without hardening, of an incompressible body: the
+    strain grows in proportion everywhere, so that one step is exact."""
+    shear_limit = 1
+    for c, n, bound in ((4.5, 1, .002), (4.5, 2, .0002), (6.75, 2, .0002)):
+        inner, outer = RADII[0], RADII[-1]
+        pressure = 2 * shear_limit * (math.log(c / inner) + (1 - (c / outer) ** 2) / 2)
+        state = solve(options, {
+            **material(YOUNGS_MODULUS, .4999), "Load/Pressures": f"inner : {pressure}",
+            "Material/Yield stress": str(shear_limit * math.sqrt(3)),
+            "Support/Fixed components": "x axis : y; y axis : x"}, make_body(n))
+        yield Row(f"u at the inside, plastic flow up to the radius {c}",
+                  f"{5 * n} × {9 * n}, plane strain",
+                  shear_limit * c * c / (2 * YOUNGS_MODULUS / 3 * inner),
+                  state.at((inner, 0), "ux"), bound)
+
+
 CASE = Case(
     "cylinder", "Thick cylinder near incompressibility",
     "Lamé's closed form; MacNeal & Harder 1985; the ratios that are expected of the "
-    "displacement formulation are an independent 20-node code's with 3 × 3 × 3 points", rows)
+    "displacement formulation are an independent 20-node code's with 3 × 3 × 3 points; "
+    "plastic flow without hardening: p = 2 k (ln(c/a) + (1 - c²/b²)/2) and k c²/(2 G a) for "
+    "von Mises and an incompressible body", rows)

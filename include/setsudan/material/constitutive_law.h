@@ -21,8 +21,13 @@ struct MaterialResponse
   dealii::Tensor<2, 3> stress;
   /** Its derivative by the displacement gradient [force/area]. */
   dealii::Tensor<4, 3> tangent;
-  /** Stored energy per volume at rest [force/area]. */
+  /** Per volume at rest, the energy of which stress and tangent are
+   * derivatives: what is stored, and what plastic flow has taken [force/area].
+   */
   double energy = 0;
+  /** The part of it that plastic flow has taken since the start: what it has
+   * turned into heat, and what its hardening has stored. */
+  double plastic_energy = 0;
 };
 
 /** The law of a material at a point. Laws are written once, in space; plane
@@ -52,6 +57,13 @@ public:
   hyperelastic() const
   {
     return nullptr;
+  }
+
+  /** Whether the body stays deformed beyond a limit. */
+  virtual bool
+  is_plastic() const
+  {
+    return false;
   }
 
   /** How many internal variables a point has. */

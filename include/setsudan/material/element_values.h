@@ -28,6 +28,18 @@ read_numbers(const Parameters &parameters,
              const std::string &allowed,
              bool (*is_allowed)(double));
 
+/** The same of numbers that are given together, separated by ','.
+ *
+ * @param kind what they are, in words. */
+template <int dim>
+ElementValues<std::vector<double>>
+read_lists(const Parameters &parameters,
+           const Body<dim> &body,
+           const std::string &name,
+           const std::string &kind,
+           const unsigned int n_numbers,
+           bool (*is_allowed)(double));
+
 /** The same of names.
  *
  * @param kind of what they are the names of.

@@ -81,6 +81,10 @@ public:
   bool
   is_linear() const;
 
+  /** Whether any stays deformed beyond a limit. */
+  bool
+  is_plastic() const;
+
   /** Whether the law of any has internal variables. */
   bool
   has_internal_variables() const;

@@ -74,9 +74,12 @@ struct InternalForces
 {
   /** F(u), see internal_forces(). */
   LA::Vector forces;
-  /** The energy that is stored; infinite where a volume is not positive, and
-   * the forces are not set there. */
+  /** The energy that is stored, and what plastic flow has taken: the forces
+   * are its derivatives. Infinite where a volume is not positive, and the
+   * forces are not set there. */
   double energy = 0;
+  /** The part of it that plastic flow has taken since the start. */
+  double plastic_energy = 0;
   /** That of pressures, see FollowerPressure. */
   double potential_of_pressure = 0;
 };

@@ -36,6 +36,10 @@ public:
   dealii::ArrayView<double>
   after(const unsigned int cell, const unsigned int point);
 
+  /** What after() has been set to. */
+  dealii::ArrayView<const double>
+  present(const unsigned int cell, const unsigned int point) const;
+
   /** Let the state that was solved for be the last accepted one. */
   void
   accept();

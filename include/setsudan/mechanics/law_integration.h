@@ -57,6 +57,8 @@ public:
   /** Infinite where a volume is not positive; then forces and tangent are not
    * set. */
   double energy = 0;
+  /** The part of it that plastic flow has taken, see MaterialResponse. */
+  double plastic_energy = 0;
 
 private:
   using Gradients = std::vector<dealii::Tensor<2, 3>>;
@@ -84,6 +86,14 @@ private:
                 const Gradients *before,
                 std::vector<double> &stiffness) const;
 
+  /** Let the change of volume be the projected one in what a law of small
+   * strain answers, as in Dilatation; its stiffness is left to
+   * add_volume_stiffness(). */
+  void
+  project_dilatation(const double lambda,
+                     const Gradients &gradients,
+                     std::vector<MaterialResponse> &responses) const;
+
   void
   evaluate(const Cell &cell,
            const LA::Vector &displacement,
@@ -98,6 +108,7 @@ private:
   void
   add_tangents(const std::vector<MaterialResponse> &responses);
 
+  /** @param gradients at which the change of volume is linearized. */
   void
   add_volume_stiffness(const Gradients &gradients,
                        const std::vector<double> &stiffness);

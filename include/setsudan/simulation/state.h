@@ -27,11 +27,13 @@ struct State
   LA::Vector forces;
   /** The internal forces, see Solution. */
   LA::Vector internal;
-  /** Stored energy, that of pressures which follow the surface, and the sum of
+  /** Elastic energy, that of pressures which follow the surface, and the sum of
    * both minus the work of all forces but the board's as dead loads. */
   double strain_energy    = 0;
   double pressure_energy  = 0;
   double potential_energy = 0;
+  /** What plastic flow has taken since the run began. */
+  double plastic_energy = 0;
   SolveQuality quality;
   CuttingStress stress;
   /** Of a blade that travels. */

@@ -26,8 +26,11 @@ class CondensedSolver;
  * extrapolated (see LawIntegration), then with the exact one and a line search.
  *
  * An equilibrium whose tangent is not positive definite is not stable, and is
- * none of those that a body takes; neither is one that turns an element inside
- * out at a node.
+ * none of those that a body takes; neither is, under finite strain, one that
+ * turns an element inside out at a node.
+ *
+ * A plastic body goes from the last accepted state to each one in a single step
+ * of its laws, whatever is tried on the way.
  */
 template <int dim>
 class NewtonSolver : public TangentSolver

@@ -11,7 +11,8 @@ template <int dim>
 SeamCells<dim>::SeamCells(const ElasticModel<dim> &model, const Seam<dim> &seam)
   : evaluator(model.discretization,
               model.materials,
-              node_points(model.discretization))
+              node_points(model.discretization),
+              &model.internal)
   , of_pairs(seam.pairs().size())
 {
   const auto &discretization = model.discretization;

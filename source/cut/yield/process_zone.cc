@@ -44,7 +44,8 @@ public:
       rule = std::make_unique<StressEvaluator<dim>>(
         model.discretization,
         model.materials,
-        QIterated<dim>(QGauss<1>(3), n_copies));
+        QIterated<dim>(QGauss<1>(3), n_copies),
+        &model.internal);
     return *rule;
   }
 

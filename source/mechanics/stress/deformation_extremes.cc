@@ -54,12 +54,13 @@ template <int dim>
 DeformationExtremes
 find_extremes(const Discretization<dim> &discretization,
               const MaterialParameters<dim> &materials,
-              const LA::Vector &displacement)
+              const LA::Vector &displacement,
+              const InternalVariables<dim> *internal)
 {
   StressEvaluator<dim> at_nodes(
     discretization, materials, node_points(discretization));
   StressEvaluator<dim> at_gauss_points(
-    discretization, materials, gauss_points(discretization));
+    discretization, materials, gauss_points(discretization), internal);
   DeformationExtremes extremes;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -244,7 +245,8 @@ find_extremes(const ElasticModel<dim> &model, const LA::Vector &displacement)
   if (!has_local_stress(model))
     return find_extremes(discretization,
                          model.materials,
-                         discretization.with_ghosts(displacement));
+                         discretization.with_ghosts(displacement),
+                         &model.internal);
   auto u = model.batches().copy_in(displacement);
   u.update_ghost_values();
   DeformationExtremes extremes;
@@ -335,11 +337,13 @@ find_smallest_volume(const ElasticModel<3> &, const LA::Vector &);
 template DeformationExtremes
 find_extremes(const Discretization<2> &,
               const MaterialParameters<2> &,
-              const LA::Vector &);
+              const LA::Vector &,
+              const InternalVariables<2> *);
 template DeformationExtremes
 find_extremes(const Discretization<3> &,
               const MaterialParameters<3> &,
-              const LA::Vector &);
+              const LA::Vector &,
+              const InternalVariables<3> *);
 template DeformationExtremes
 find_extremes(const ElasticModel<2> &, const LA::Vector &);
 template DeformationExtremes

@@ -26,10 +26,34 @@ gauss_points(const Discretization<dim> &discretization)
 
 
 
+namespace
+{
+/** What values at Gauss points count at a point of the reference cell, for the
+ * linear function that is nearest to them. */
+template <int dim>
+std::vector<double>
+weights_of_linear_fit(const Quadrature<dim> &gauss, const Point<dim> &point)
+{
+  // The second moment of the reference cell about its center.
+  constexpr double moment = 1. / 12;
+  Point<dim> center;
+  for (unsigned int d = 0; d < dim; ++d)
+    center[d] = 0.5;
+  std::vector<double> weights;
+  for (unsigned int q = 0; q < gauss.size(); ++q)
+    weights.push_back(
+      gauss.weight(q) *
+      (1 + (point - center) * (gauss.point(q) - center) / moment));
+  return weights;
+}
+} // namespace
+
+
 template <int dim>
 StressEvaluator<dim>::StressEvaluator(const Discretization<dim> &discretization,
                                       const MaterialParameters<dim> &materials,
-                                      const Quadrature<dim> &points)
+                                      const Quadrature<dim> &points,
+                                      const InternalVariables<dim> *variables)
   : discretization(discretization)
   , materials(materials)
   , weights(points.get_weights())
@@ -47,6 +71,17 @@ StressEvaluator<dim>::StressEvaluator(const Discretization<dim> &discretization,
     }
   if (materials.any_is_mixed())
     dilatation = std::make_unique<Dilatation<dim>>(discretization);
+  if (variables == nullptr || variables->empty())
+    return;
+  internal         = variables;
+  const auto gauss = gauss_points(discretization);
+  const bool same  = points.get_points() == gauss.get_points();
+  for (unsigned int p = 0; p < points.size(); ++p)
+    {
+      internal_weights.push_back(weights_of_linear_fit(gauss, points.point(p)));
+      for (unsigned int q = 0; same && q < gauss.size(); ++q)
+        internal_weights[p][q] = p == q;
+    }
 }
 
 
@@ -138,10 +173,42 @@ StressEvaluator<dim>::stress(const unsigned int p) const
 {
   if (material->is_mixed && !projected)
     projected = (*dilatation)(present, *material, *field);
+  if (internal != nullptr && material->law->n_internal() > 0)
+    return stress_with_memory(p);
   return stress_of(*material,
                    gradient(p),
                    point(p),
                    projected.value_or(LinearFunction<dim>()));
+}
+
+
+
+template <int dim>
+SymmetricTensor<2, 3>
+StressEvaluator<dim>::stress_with_memory(const unsigned int p) const
+{
+  const unsigned int cell = present->active_cell_index();
+  const auto &weights     = internal_weights[p];
+  std::vector<double> before(material->law->n_internal(), 0.),
+    after(before.size());
+  for (unsigned int q = 0; q < weights.size(); ++q)
+    {
+      const auto at_gauss_point = internal->present(cell, q);
+      for (unsigned int i = 0; i < before.size(); ++i)
+        before[i] += weights[q] * at_gauss_point[i];
+    }
+  const Tensor<2, 3> in_space = Setsudan::in_space(gradient(p));
+  auto stress                 = symmetrize(
+    material->law
+      ->evaluate(in_space,
+                 ArrayView<const double>(before.data(), before.size()),
+                 ArrayView<double>(after.data(), after.size()))
+      .stress);
+  if (projected)
+    stress += material->at_rest.lambda *
+              ((*projected)(point(p)) - trace(in_space)) *
+              unit_symmetric_tensor<3>();
+  return stress;
 }
 
 

@@ -90,8 +90,10 @@ show_linear_cells(const ElasticModel<dim> &model,
             n_cells,
             grid);
   FrameFields<dim> fields(n_points * n_cells);
-  StressEvaluator<dim> recovery(
-    discretization, model.materials, node_points(discretization));
+  StressEvaluator<dim> recovery(discretization,
+                                model.materials,
+                                node_points(discretization),
+                                &model.internal);
   unsigned int point = 0;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -180,6 +182,13 @@ show_quadratic_cells(const ElasticModel<dim> &model,
   std::unique_ptr<Dilatation<dim>> dilatation;
   if (model.materials.any_is_mixed())
     dilatation = std::make_unique<Dilatation<dim>>(discretization);
+  std::unique_ptr<StressEvaluator<dim>> with_memory;
+  if (!model.internal.empty())
+    with_memory =
+      std::make_unique<StressEvaluator<dim>>(discretization,
+                                             model.materials,
+                                             QIterated<dim>(QTrapezoid<1>(), 2),
+                                             &model.internal);
   const auto functions = functions_on_grid(discretization.fe.base_element(0));
   const auto numbers   = numbers_of_own(discretization);
   auto u               = batches.copy_in(displacement);
@@ -194,6 +203,8 @@ show_quadratic_cells(const ElasticModel<dim> &model,
         LinearFunction<dim> dilatation_of_cell;
         if (material.is_mixed)
           dilatation_of_cell = (*dilatation)(cell, material, displacement);
+        if (with_memory)
+          with_memory->reinit(cell, displacement);
         for (unsigned int p = 0; p < n_points; ++p)
           {
             const Point<dim> position(
@@ -204,7 +215,9 @@ show_quadratic_cells(const ElasticModel<dim> &model,
               position,
               value_at<dim>(u.begin(), functions[p], batch, lane),
               strain_of(material, gradient),
-              stress_of(material, gradient, position, dilatation_of_cell));
+              with_memory
+                ? with_memory->stress(p)
+                : stress_of(material, gradient, position, dilatation_of_cell));
           }
       }
   });

@@ -85,8 +85,10 @@ collect_own_records(const Body<dim> &body,
 {
   const auto signs           = collect_signs(walls);
   const auto &discretization = model.discretization;
-  StressEvaluator<dim> recovery(
-    discretization, model.materials, node_points(discretization));
+  StressEvaluator<dim> recovery(discretization,
+                                model.materials,
+                                node_points(discretization),
+                                &model.internal);
   NodeRecords records;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())

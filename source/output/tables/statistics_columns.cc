@@ -302,6 +302,15 @@ statistics_columns(const Event &event)
                        [](const Event &event) {
                          return digits_of(*event.board_force, all_digits);
                        }});
+  if (event.plastic_energy)
+    columns.push_back(
+      {"plastic_energy",
+       "F L",
+       "What plastic flow has taken since the run began, as heat and in its "
+       "hardening; with Material/Yield stress.",
+       [](const Event &event) {
+         return digits_of(*event.plastic_energy, all_digits);
+       }});
   columns.push_back(column("overlap",
                            "L",
                            "How far the walls of cuts have moved through each "
@@ -348,9 +357,10 @@ document_columns(std::ostream &out)
         << column.meaning << " |\n";
   };
   Event all;
-  all.errors      = std::array<double, 2>();
-  all.motion      = BladeMotion();
-  all.board_force = 0;
+  all.errors         = std::array<double, 2>();
+  all.motion         = BladeMotion();
+  all.board_force    = 0;
+  all.plastic_energy = 0;
   std::set<std::string> written;
   for (const Event &event : {Event(), all})
     for (const auto &column : statistics_columns(event))

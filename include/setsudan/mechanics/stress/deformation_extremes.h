@@ -60,12 +60,14 @@ find_extremes(const ElasticModel<dim> &model, const LA::Vector &displacement);
 
 /** The same for any type of element, cell by cell and many times slower.
  *
- * @param displacement with ghosts. */
+ * @param displacement with ghosts.
+ * @param internal see StressEvaluator. */
 template <int dim>
 DeformationExtremes
 find_extremes(const Discretization<dim> &discretization,
               const MaterialParameters<dim> &materials,
-              const LA::Vector &displacement);
+              const LA::Vector &displacement,
+              const InternalVariables<dim> *internal = nullptr);
 
 /** Whether a body can come from one displacement to another at once: all
  * volumes are positive, and nothing turns over. Neither vector has ghosts. */

@@ -5,6 +5,7 @@
 
 #include <setsudan/material/material_parameters.h>
 #include <setsudan/mechanics/dilatation.h>
+#include <setsudan/mechanics/internal_variables.h>
 
 #include <memory>
 #include <optional>
@@ -34,12 +35,22 @@ class StressEvaluator
 public:
   using Cell = typename Discretization<dim>::Cell;
 
-  /** @param discretization and materials must live as long.
+  /**
+   * Where laws have internal variables, those of the state that was evaluated
+   * last are known at Gauss points. Elsewhere in a cell they are the linear
+   * function that is nearest to them, from which the law answers to the strain
+   * there.
+   *
+   * @param discretization, materials and internal must live as long.
    * @param points in reference coordinates; their weights matter to volume()
-   *   only. */
+   *   only.
+   * @param internal if not null, stress is asked for in cells of this process
+   *   only.
+   */
   StressEvaluator(const Discretization<dim> &discretization,
                   const MaterialParameters<dim> &materials,
-                  const dealii::Quadrature<dim> &points);
+                  const dealii::Quadrature<dim> &points,
+                  const InternalVariables<dim> *internal = nullptr);
 
   /** Go to a cell.
    *
@@ -78,6 +89,10 @@ public:
   values(const LA::Vector &field) const;
 
 private:
+  /** The stress of a law with internal variables. */
+  dealii::SymmetricTensor<2, 3>
+  stress_with_memory(const unsigned int point) const;
+
   /** The derivative of the position by the reference coordinates. */
   dealii::Tensor<2, dim>
   jacobian(const unsigned int point) const;
@@ -91,6 +106,11 @@ private:
   std::vector<std::vector<dealii::Tensor<1, dim>>> function_gradients;
   /** Only where a material needs it. */
   std::unique_ptr<Dilatation<dim>> dilatation;
+  /** Null where no law has any. */
+  const InternalVariables<dim> *internal = nullptr;
+  /** What each Gauss point's internal variables count at each point:
+   * [point][Gauss point]. */
+  std::vector<std::vector<double>> internal_weights;
 
   // Of the present cell.
   std::vector<typename Discretization<dim>::NodeIndices> indices;

@@ -54,6 +54,9 @@ struct Event
   /** The force of the board on the body along its normal: in all events of a
    * run, or in none. */
   std::optional<double> board_force;
+  /** What plastic flow has taken since the run began: in all events of a run,
+   * or in none. */
+  std::optional<double> plastic_energy;
   /** How far the walls of cuts have moved through each other. */
   double overlap = 0;
   /** The force that keeps split rows the blade's thickness apart, and the part
@@ -84,6 +87,11 @@ struct Event
     archive &has_board &carried;
     if (has_board)
       board_force = carried;
+    bool is_plastic = plastic_energy.has_value();
+    double taken    = plastic_energy.value_or(0);
+    archive &is_plastic &taken;
+    if (is_plastic)
+      plastic_energy = taken;
     bool has_motion    = motion.has_value();
     BladeMotion moving = motion.value_or(BladeMotion());
     archive &has_motion &moving &mean_force;

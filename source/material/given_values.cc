@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/material/given_values.h>
+#include <setsudan/material/law_parameters.h>
+
+#include <algorithm>
+
+namespace Setsudan
+{
+using namespace dealii;
+
+template <int dim>
+GivenValues<dim>::GivenValues(const Parameters &parameters,
+                              const Body<dim> &body)
+{
+  const auto read = [&](const std::string &name,
+                        const std::string &allowed,
+                        bool (*is_allowed)(double)) {
+    return read_numbers(parameters, body, name, allowed, is_allowed);
+  };
+  const auto is_positive     = [](const double value) { return value > 0; };
+  const auto is_not_negative = [](const double value) { return value >= 0; };
+  const std::string positive = "a number greater than 0";
+  moduli                     = read("Young's modulus", positive, is_positive);
+  ratios                     = read("Poisson's ratio",
+                "a number greater than -1 and less than 0.5",
+                [](const double value) { return value > -1 && value < 0.5; });
+  limits                     = read("Shear limit", positive, is_positive);
+  toughnesses                = read("Toughness", positive, is_positive);
+  yield_stresses =
+    read("Yield stress", "a number that is not negative", is_not_negative);
+  hardenings = read_lists(
+    parameters, body, "Hardening", "isotropic, kinematic", 2, is_not_negative);
+  names = read_names(parameters, body, "Law", "law", LawParameters::names());
+}
+
+
+
+template <int dim>
+unsigned int
+GivenValues<dim>::size() const
+{
+  return std::max({moduli.size(),
+                   ratios.size(),
+                   limits.size(),
+                   toughnesses.size(),
+                   yield_stresses.size(),
+                   hardenings.size(),
+                   names.size()});
+}
+
+
+
+template <int dim>
+typename GivenValues<dim>::OfElement
+GivenValues<dim>::of_element(const unsigned int element) const
+{
+  const auto of = [&](const auto &values) {
+    return values[values.size() == 1 ? 0 : element];
+  };
+  return {of(moduli),
+          of(ratios),
+          of(limits),
+          of(toughnesses),
+          of(yield_stresses),
+          of(hardenings),
+          of(names)};
+}
+
+
+
+template class GivenValues<2>;
+template class GivenValues<3>;
+} // namespace Setsudan

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// J2 plasticity along a path of plane strain with known stresses (the plane
+// strain element of NAFEMS, radial return with one step to each point), in a
+// bar, and its stress and tangent as derivatives of its energy.
+
+#include <setsudan/material/j2_plasticity.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "../test_setup.h"
+
+using namespace Setsudan;
+using namespace dealii;
+
+// MPa.
+constexpr double E = 250e3, nu = 0.25, yield_stress = 5;
+
+
+MaterialResponse
+evaluate(const ConstitutiveLaw &law,
+         const Tensor<2, 3> &gradient,
+         const std::vector<double> &before,
+         std::vector<double> &after)
+{
+  after.resize(before.size());
+  return law.evaluate(
+    gradient, {before.data(), before.size()}, {after.data(), after.size()});
+}
+
+
+std::vector<double>
+at_rest(const ConstitutiveLaw &law)
+{
+  std::vector<double> internal(law.n_internal());
+  law.initialize({internal.data(), internal.size()});
+  return internal;
+}
+
+
+void
+test_path(const std::string &name,
+          const double isotropic,
+          const std::array<std::array<double, 3>, 8> &expected)
+{
+  const J2Plasticity law(Hooke(E, nu), yield_stress, {isotropic, 0});
+  constexpr double path[8][2] = {{0.25, 0},
+                                 {0.5, 0},
+                                 {0.5, 0.25},
+                                 {0.5, 0.5},
+                                 {0.25, 0.5},
+                                 {0, 0.5},
+                                 {0, 0.25},
+                                 {0, 0}};
+  auto internal               = at_rest(law);
+  double error = 0, excess = 0;
+  for (unsigned int step = 0; step < 8; ++step)
+    {
+      Tensor<2, 3> gradient;
+      for (unsigned int d = 0; d < 2; ++d)
+        gradient[d][d] = 1e-4 * path[step][d];
+      std::vector<double> after;
+      const auto stress = evaluate(law, gradient, internal, after).stress;
+      for (unsigned int d = 0; d < 3; ++d)
+        error = std::max(error, std::abs(stress[d][d] - expected[step][d]));
+      const double mises = std::sqrt(1.5) * deviator(symmetrize(stress)).norm();
+      excess =
+        std::max(excess, mises - yield_stress - isotropic * after.back());
+      internal = after;
+      // What has been accepted stays as it is.
+      const auto again = evaluate(law, gradient, internal, after);
+      excess           = std::max({excess,
+                                   (again.stress - stress).norm(),
+                                   std::abs(after.back() - internal.back())});
+    }
+  check_below(name + ": stresses", error, 0.6e-4);
+  check_below(
+    "  beyond the limit, or other than when it was accepted", excess, 1e-11);
+}
+
+
+/** A bar that is pulled, released, and pressed to yield again: with kinematic
+ * hardening that is at a stress that is lower by twice the yield stress. */
+void
+test_bar(const Hardening &hardening)
+{
+  const J2Plasticity law(Hooke(E, nu), yield_stress, hardening);
+  const double H = hardening.isotropic + hardening.kinematic;
+  // Strains across the bar that leave it free of stress there.
+  const auto pull = [&](const double strain,
+                        const std::vector<double> &before,
+                        std::vector<double> &after) {
+    Tensor<2, 3> gradient;
+    gradient[0][0] = strain;
+    MaterialResponse response;
+    for (unsigned int i = 0; i < 30; ++i)
+      {
+        response       = evaluate(law, gradient, before, after);
+        const auto &of = response.tangent;
+        const double change =
+          response.stress[1][1] / (of[1][1][1][1] + of[1][1][2][2]);
+        gradient[1][1] = gradient[2][2] = gradient[1][1] - change;
+      }
+    return response;
+  };
+  std::vector<double> pulled, released, pressed;
+  const double first = yield_stress / E, largest = 4 * first;
+  const auto at_largest = pull(largest, at_rest(law), pulled);
+  const double stress   = yield_stress + E * H / (E + H) * (largest - first);
+  check_below("pulled", std::abs(at_largest.stress[0][0] - stress), 1e-9);
+  check_below("  plastic strain",
+              std::abs(pulled[0] - (largest - stress / E)) / largest,
+              1e-11);
+  const auto at_zero = pull(pulled[0], pulled, released);
+  check_below("  released: stress", std::abs(at_zero.stress[0][0]), 1e-9);
+  check_below("  released: stored energy",
+              std::abs(at_zero.energy - at_zero.plastic_energy),
+              1e-15);
+  const double left = at_largest.energy - stress * stress / (2 * E);
+  check_below("  plastic energy: the area below the curve",
+              std::abs(at_zero.plastic_energy / left - 1),
+              1e-10);
+  const double area =
+    yield_stress * first / 2 + (yield_stress + stress) / 2 * (largest - first);
+  check_below(
+    "  energy: the area", std::abs(at_largest.energy / area - 1), 1e-10);
+  // To the other end of the elastic range, and a little further.
+  const double range = 2 * (yield_stress + hardening.isotropic * pulled[6]);
+  for (const double beyond : {-1e-3, 1e-3})
+    {
+      pull(largest - range / E * (1 + beyond), pulled, pressed);
+      check_below(beyond > 0 ? "  flows back" : "  does not flow yet",
+                  (pressed[6] > pulled[6]) == (beyond > 0) ? 0 : 1,
+                  0);
+    }
+}
+
+
+void
+test_derivatives(const Hardening &hardening)
+{
+  const J2Plasticity law(Hooke(5, 0.3), 1, hardening);
+  Tensor<2, 3> earlier, now;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        earlier[i][j] = 0.4 * std::sin(1 + 3 * i + 7 * j);
+        now[i][j]     = 0.7 * std::cos(2 + 5 * i + 2 * j);
+      }
+  std::vector<double> before, after;
+  evaluate(law, earlier, at_rest(law), before);
+  const auto response   = evaluate(law, now, before, after);
+  constexpr double step = 1e-5;
+  double of_energy = 0, of_stress = 0, asymmetry = 0;
+  for (unsigned int k = 0; k < 3; ++k)
+    for (unsigned int l = 0; l < 3; ++l)
+      {
+        Tensor<2, 3> change;
+        change[k][l]      = step;
+        const auto behind = evaluate(law, now - change, before, after);
+        const auto ahead  = evaluate(law, now + change, before, after);
+        of_energy =
+          std::max(of_energy,
+                   std::abs((ahead.energy - behind.energy) / (2 * step) -
+                            response.stress[k][l]));
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            {
+              of_stress =
+                std::max(of_stress,
+                         std::abs((ahead.stress[i][j] - behind.stress[i][j]) /
+                                    (2 * step) -
+                                  response.tangent[i][j][k][l]));
+              asymmetry = std::max(asymmetry,
+                                   std::abs(response.tangent[i][j][k][l] -
+                                            response.tangent[k][l][i][j]));
+            }
+      }
+  check_below("stress: derivative of the energy", of_energy, 1e-8);
+  check_below("tangent: derivative of the stress", of_stress, 1e-8);
+  check_below("  is symmetric", asymmetry, 1e-14);
+}
+
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, [] {
+    test_path("perfect",
+              0,
+              {{{{7.5, 2.5, 2.5}},
+                {{11.6667, 6.6667, 6.6667}},
+                {{14.1667, 14.1667, 9.1667}},
+                {{16.6667, 19.5534, 13.7799}},
+                {{10.1430, 15.7198, 11.6373}},
+                {{5.2537, 10.9778, 8.7684}},
+                {{2.7537, 3.4778, 6.2684}},
+                {{0.1877, -2.9760, 2.7883}}}});
+    test_path("isotropic hardening",
+              62.5e3,
+              {{{{7.5, 2.5, 2.5}},
+                {{12.2414, 6.3793, 6.3793}},
+                {{14.7414, 13.8793, 8.8793}},
+                {{17.0861, 20.1062, 12.8077}},
+                {{10.0044, 16.8733, 10.6224}},
+                {{4.2409, 12.5739, 8.1852}},
+                {{1.7409, 5.0739, 5.6852}},
+                {{-0.7591, -2.4261, 3.1852}}}});
+    for (const Hardening &hardening :
+         {Hardening{0.2 * E, 0}, Hardening{0, 0.2 * E}, Hardening{2e4, 1e4}})
+      test_bar(hardening);
+    for (const Hardening &hardening : {Hardening(), Hardening{0.7, 0.4}})
+      test_derivatives(hardening);
+  });
+}
