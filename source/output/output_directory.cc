@@ -165,8 +165,8 @@ find_results(const fs::path &path)
   return find_files(
     path,
     std::regex(
-      R"(parameters\.prm|checkpoint|cut\.pvd|statistics\.csv|nodes_\d+\.csv|)"
-      R"(stage_\d+\.(inp|csv)|frame_\d+(\.\d+)?\.p?vtu|blade_\d+\.vtu|)"
+      R"(parameters\.prm|checkpoint|cut\.pvd|statistics\.csv|summary\.json|)"
+      R"(nodes_\d+\.csv|stage_\d+\.(inp|csv)|frame_\d+(\.\d+)?\.p?vtu|blade_\d+\.vtu|)"
       R"(piece_\d+\.(msh|vtu)|)"
       R"(pieces\.csv|validation\.vtu)"));
 }

@@ -73,6 +73,7 @@ Simulation<dim>::run()
         describe_unfelt_work(state.motion.value_or(BladeMotion())))
     results.progress.info(*sentence);
   results.finish();
+  results.write_summary();
   checkpoints.finish();
   std::ostringstream line;
   line << "Results in " << scene.output.directory << ": " << n_frames

@@ -45,6 +45,7 @@ test_replacement()
                                   "checkpoint",
                                   "cut.pvd",
                                   "statistics.csv",
+                                  "summary.json",
                                   "frame_0000.vtu",
                                   "frame_0001.pvtu",
                                   "frame_0001.0.vtu",

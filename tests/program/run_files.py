@@ -4,6 +4,7 @@ to the tolerance of their solvers.
 """
 
 import csv
+import json
 import pathlib
 import re
 import struct
@@ -120,6 +121,15 @@ def same_frames(path, other):
         is_close(*pair) for pair in zip(arrays, others))
 
 
+def same_summaries(path, other):
+    summary, expected = (json.loads(file.read_text()) for file in (path, other))
+    return list(summary) == list(expected) and all(
+        summary[name] == expected[name] or
+        None not in (summary[name], expected[name]) and
+        is_close([summary[name]], [expected[name]])
+        for name in summary if name not in NOT_COMPARED)
+
+
 def content(path):
     if path.name == "parameters.prm":
         return re.sub(rb"set Directory .*", b"", path.read_bytes())
@@ -129,6 +139,8 @@ def content(path):
 def are_same(path, other):
     if path.suffix == ".csv":
         return same_tables(path, other)
+    if path.suffix == ".json":
+        return same_summaries(path, other)
     if path.suffix == ".vtu":
         return same_frames(path, other)
     return content(path) == content(other)

@@ -35,8 +35,9 @@ template <typename Archive>
 void
 serialize(Archive &archive, WriterState &record, const unsigned int)
 {
-  archive &record.table &record.sequence &record.doubts &record.warned &record
-    .earlier_depths &record.framed_at &record.cut_began &record.seconds;
+  archive &record.table &record.summary &record.sequence &record.doubts &record
+    .warned &record.earlier_depths &record.framed_at &record.cut_began &record
+    .seconds;
 }
 
 
@@ -67,7 +68,7 @@ namespace
 {
 const std::string file_name = "checkpoint";
 // Begins the file; the number changes with what is in it.
-const std::string signature = "setsudan checkpoint 4\n";
+const std::string signature = "setsudan checkpoint 5\n";
 } // namespace
 
 

@@ -58,6 +58,7 @@ ResultsWriter<dim>::ResultsWriter(const Scene<dim> &scene,
   , scene(scene)
   , timer(timer)
   , is_first_process(Utilities::MPI::this_mpi_process(communicator) == 0)
+  , n_processes(Utilities::MPI::n_mpi_processes(communicator))
   , frames(directory)
   , statistics(scene.output.units, scene.length_unit, scene.force_unit)
 {
@@ -106,12 +107,24 @@ ResultsWriter<dim>::finish()
 
 
 template <int dim>
+void
+ResultsWriter<dim>::write_summary() const
+{
+  if (is_first_process)
+    summary.write({doubts.n_states, n_processes, progress.seconds()},
+                  directory);
+}
+
+
+
+template <int dim>
 WriterState
 ResultsWriter<dim>::save()
 {
   // What is resumed from must be there.
   finish();
   return {statistics.table,
+          summary,
           frames.sequence,
           doubts,
           warned,
@@ -128,6 +141,7 @@ void
 ResultsWriter<dim>::restore(const WriterState &record)
 {
   statistics.table = record.table;
+  summary          = record.summary;
   frames.sequence  = record.sequence;
   doubts           = record.doubts;
   warned           = record.warned;
@@ -146,6 +160,7 @@ ResultsWriter<dim>::record(const std::string &name, Event &event)
   const TimerOutput::Scope section(timer, "frames and tables");
   event.name    = name;
   event.seconds = progress.seconds();
+  summary.add(event);
   if (is_first_process)
     statistics.add(event, directory);
 }

@@ -8,6 +8,7 @@
 #include <setsudan/output/output_directory.h>
 #include <setsudan/output/progress.h>
 #include <setsudan/output/tables/statistics.h>
+#include <setsudan/output/tables/summary.h>
 #include <setsudan/simulation/cut_body.h>
 #include <setsudan/simulation/state.h>
 
@@ -46,6 +47,7 @@ struct WriterState
 {
   /** Lines of statistics.csv. */
   std::string table;
+  Summary summary;
   /** What cut.pvd lists. */
   std::vector<std::pair<double, std::string>> sequence;
   Doubts doubts;
@@ -87,6 +89,12 @@ public:
    * @throw SceneError where it could not be written. */
   void
   finish();
+
+  /** Write summary.json, at the end of a run.
+   *
+   * @throw OutputError where it could not be written. */
+  void
+  write_summary() const;
 
   /** The record so far, when it is on the disk; and go on with one. */
   WriterState
@@ -156,8 +164,10 @@ private:
   const Scene<dim> &scene;
   dealii::TimerOutput &timer;
   const bool is_first_process;
+  const unsigned int n_processes;
   FrameWriter frames;
   Statistics statistics;
+  Summary summary;
   Doubts doubts, warned;
   double earlier_depths = 0;
   std::pair<unsigned int, double> framed_at{0, 0.};
