@@ -86,8 +86,13 @@ run(const CommandLine &command_line,
   const Presets presets;
   const Parameters given(name, entries, Scene<dim>::declare);
   auto all_entries = presets.entries(given);
-  all_entries.insert(all_entries.end(), entries.begin(), entries.end());
-  const Parameters parameters(name, all_entries, Scene<dim>::declare);
+  std::optional<Parameters> with_preset;
+  if (!all_entries.empty())
+    {
+      all_entries.insert(all_entries.end(), entries.begin(), entries.end());
+      with_preset.emplace(name, all_entries, Scene<dim>::declare);
+    }
+  const Parameters &parameters = with_preset ? *with_preset : given;
   if (command_line.print_parameters && speaks)
     parameters.print(std::cout);
   if (command_line.scene.empty())
