@@ -11,52 +11,25 @@
 #include <string>
 #include <vector>
 
-#include "../mechanics/many_models.h"
+#include "block.h"
 
 using namespace Setsudan;
 using namespace dealii;
 
-struct Block : SmallModel<3>
+/** Forces on three unknowns each, some of which are supported. */
+std::vector<UnknownForces>
+forces_on(const Block &block)
 {
-  static void
-  declare(ParameterHandler &handler)
-  {
-    SmallModel<3>::declare(handler);
-    SolverParameters::declare(handler);
-  }
-
-  explicit Block(const Assignments &assignments)
-    : Block(parameters_of(assignments, declare))
-  {
-  }
-
-  explicit Block(const Parameters &parameters)
-    : SmallModel<3>(parameters, nullptr)
-    , solver(parameters)
-    , constraints(model.discretization.relevant)
-  {
-    constraints.merge(model.supports);
-    constraints.close();
-  }
-
-  /** Forces on three unknowns each, some of which are supported. */
-  std::vector<UnknownForces>
-  forces() const
-  {
-    const unsigned int n = model.discretization.dof_handler.n_dofs();
-    std::vector<UnknownForces> all;
-    for (unsigned int v = 0; v < 6; ++v)
-      {
-        all.emplace_back();
-        for (unsigned int i = 0; i < 3; ++i)
-          all.back().emplace_back((37 * v + 11 * i) % n, 1. + v - i / 2.);
-      }
-    return all;
-  }
-
-  const SolverParameters solver;
-  AffineConstraints<double> constraints;
-};
+  const unsigned int n = block.model.discretization.dof_handler.n_dofs();
+  std::vector<UnknownForces> all;
+  for (unsigned int v = 0; v < 6; ++v)
+    {
+      all.emplace_back();
+      for (unsigned int i = 0; i < 3; ++i)
+        all.back().emplace_back((37 * v + 11 * i) % n, 1. + v - i / 2.);
+    }
+  return all;
+}
 
 
 void
@@ -75,16 +48,16 @@ test_block()
       return Tensor<1, 3>(
         {0.03 * p[2] * p[2], 0.02 * p[2] * p[0], 0.05 * p[2]});
     });
-  const auto forces = block.forces();
+  const auto forces = forces_on(block);
 
   AssembledSolver<3> whole(model,
-                           block.constraints,
+                           *block.constraints,
                            block.solver,
                            Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1
                              ? SolverKind::cholesky
                              : SolverKind::mumps);
   whole.linearize({&about});
-  CondensedTangent<3> condensed(model, block.constraints, forces, {});
+  CondensedTangent<3> condensed(model, *block.constraints, forces, {});
   condensed.linearize(about);
   SolveQuality quality;
   LA::Vector difference = whole.increment(model.loads, zero, quality);
@@ -105,15 +78,15 @@ test_block()
     }
   check_below_on_all("products", error / size, 1e-10);
 
-  CondensedTangent<3> on_springs(model, block.constraints, {}, forces);
+  CondensedTangent<3> on_springs(model, *block.constraints, {}, forces);
   on_springs.linearize(about);
   const LA::Vector d  = on_springs.increment(model.loads);
   LA::Vector residual = tangent_times(model, about, d);
   residual += spring_forces(forces, d);
   residual -= model.loads;
   check_below_on_all("springs",
-                     condense(block.constraints, residual).l2_norm() /
-                       condense(block.constraints, model.loads).l2_norm(),
+                     condense(*block.constraints, residual).l2_norm() /
+                       condense(*block.constraints, model.loads).l2_norm(),
                      1e-10);
 }
 
@@ -147,10 +120,10 @@ test_column(const double strain)
   for (unsigned int i = 0; i < forces.size(); ++i)
     if (std::abs(heights[i] - 10) < 1e-9)
       halfway.push_back(forces[i]);
-  CondensedTangent<3> condensed(model, column.constraints, halfway, {});
+  CondensedTangent<3> condensed(model, *column.constraints, halfway, {});
   condensed.linearize(about);
   LA::SparseMatrix matrix;
-  assemble_tangent(model, {&about}, column.constraints, matrix);
+  assemble_tangent(model, {&about}, *column.constraints, matrix);
   MumpsSolver whole(50, false);
   whole.initialize(matrix, {});
   say("column, strain " + std::to_string(strain) + ": " +

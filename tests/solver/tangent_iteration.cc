@@ -12,47 +12,10 @@
 #include <memory>
 #include <string>
 
-#include "../mechanics/many_models.h"
+#include "block.h"
 
 using namespace Setsudan;
 using namespace dealii;
-
-struct Block : SmallModel<3>
-{
-  using Constraints = AffineConstraints<double>;
-
-  static void
-  declare(ParameterHandler &handler)
-  {
-    SmallModel<3>::declare(handler);
-    SolverParameters::declare(handler);
-  }
-
-  explicit Block(const Assignments &assignments)
-    : Block(parameters_of(assignments, declare))
-  {
-  }
-
-  explicit Block(const Parameters &parameters)
-    : SmallModel<3>(parameters, nullptr)
-    , solver(parameters)
-    , constraints(std::make_shared<Constraints>(model.discretization.relevant))
-  {
-    constraints->merge(model.supports);
-    constraints->close();
-  }
-
-  Solution
-  solve() const
-  {
-    return NewtonSolver<3>(model, constraints, solver)
-      .solve(model.loads, model.lift, model.discretization.zero_vector());
-  }
-
-  const SolverParameters solver;
-  std::shared_ptr<Constraints> constraints;
-};
-
 
 /** Solve with the tangent to six digits, and say whether that takes no more
  * iterations than so many. */
