@@ -69,9 +69,7 @@ VolumetricEnergy::second_derivative(const double J) const
 
 
 MaterialResponse
-HyperelasticLaw::evaluate(const Tensor<2, 3> &gradient,
-                          const ArrayView<const double> &,
-                          const ArrayView<double> &) const
+HyperelasticLaw::evaluate(const Tensor<2, 3> &gradient, const History &) const
 {
   return respond(gradient);
 }
@@ -85,11 +83,11 @@ HyperelasticLaw::respond(const Tensor<2, 3> &gradient) const
   MaterialResponse response;
   if (!(determinant(F) > 0))
     {
-      response.energy = std::numeric_limits<double>::infinity();
+      response.energy.potential = std::numeric_limits<double>::infinity();
       return response;
     }
   const StrainEnergy energy = at(symmetrize(transpose(F) * F));
-  response.energy           = energy.value;
+  response.energy           = Energy::elastic(energy.value);
   response.stress           = F * energy.stress;
   response.tangent = tangent_in_gradient(F, energy.stress, energy.tangent);
   return response;

@@ -49,26 +49,29 @@ J2Plasticity::initialize(const ArrayView<double> &internal) const
 
 
 
-MaterialResponse
-J2Plasticity::evaluate(const Tensor<2, 3> &gradient,
-                       const ArrayView<const double> &before,
-                       const ArrayView<double> &after) const
+SmallStrainResponse
+J2Plasticity::respond(const SymmetricTensor<2, 3> &strain,
+                      const double dilatation,
+                      const History &history) const
 {
   using Unit      = Physics::Elasticity::StandardTensors<3>;
   const double mu = hooke.mu;
   SymmetricTensor<2, 3> plastic;
   for (unsigned int i = 0; i < n_strain; ++i)
-    plastic[row[i]][column[i]] = before[i];
-  double accumulated = before[n_strain];
+    plastic[row[i]][column[i]] = history.before[i];
+  double accumulated = history.before[n_strain];
 
-  const auto strain = symmetrize(gradient);
-  auto stress       = hooke.stress(strain) - 2 * mu * plastic;
+  SmallStrainResponse response;
+  auto &stress      = response.stress;
+  auto &tangent     = response.tangent;
+  stress            = hooke.stress(strain, dilatation) - 2 * mu * plastic;
   const auto shift  = deviator(stress) - 2. / 3 * hardening.kinematic * plastic;
   const double size = shift.norm();
   const double excess =
     size - std::sqrt(2. / 3) *
              (yield_stress + hardening.isotropic * std::max(accumulated, 0.));
-  SymmetricTensor<4, 3> tangent = hooke.lambda * Unit::IxI + 2 * mu * Unit::S;
+  tangent         = 2 * mu * Unit::S;
+  response.lambda = hooke.lambda;
   if (excess > round_off * yield_stress)
     {
       const double resistance =
@@ -84,17 +87,17 @@ J2Plasticity::evaluate(const Tensor<2, 3> &gradient,
                                            outer_product(direction, direction));
     }
   for (unsigned int i = 0; i < n_strain; ++i)
-    after[i] = plastic[row[i]][column[i]];
-  after[n_strain] = accumulated;
+    history.after[i] = plastic[row[i]][column[i]];
+  history.after[n_strain] = accumulated;
 
-  MaterialResponse response;
-  response.stress  = Tensor<2, 3>(stress);
-  response.tangent = Tensor<4, 3>(tangent);
-  response.plastic_energy =
+  const auto elastic = strain - plastic;
+  response.energy = Energy::elastic(hooke.lambda / 2 * dilatation * dilatation +
+                                    mu * (elastic * elastic));
+  response.energy.plastic =
     yield_stress * accumulated +
     hardening.isotropic * accumulated * accumulated / 2 +
     hardening.kinematic / 3 * (plastic * plastic);
-  response.energy = stress * (strain - plastic) / 2 + response.plastic_energy;
+  response.energy.potential += response.energy.plastic;
   return response;
 }
 } // namespace Setsudan

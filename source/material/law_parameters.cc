@@ -2,6 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <setsudan/material/law_parameters.h>
+#include <setsudan/material/small_strain_law.h>
 #include <setsudan/parameters/lists.h>
 
 namespace Setsudan

@@ -3,6 +3,7 @@
 #include <setsudan/material/j2_plasticity.h>
 #include <setsudan/material/material_parameters.h>
 #include <setsudan/material/presets.h>
+#include <setsudan/material/small_strain_law.h>
 
 #include <algorithm>
 #include <map>

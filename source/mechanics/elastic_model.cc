@@ -169,13 +169,15 @@ evaluate_laws(const ElasticModel<dim> &model, const LA::Vector &displacement)
   result.forces = assemble_forces<dim>(
     model.discretization, [&](const auto &cell, const auto &) {
       of_cell.reinit(cell, u);
-      result.energy += of_cell.laws.energy;
-      result.plastic_energy += of_cell.laws.plastic_energy;
+      result.energy.add(1, of_cell.laws.energy);
       result.potential_of_pressure += of_cell.potential_of_pressure;
       return &of_cell.laws.forces;
     });
-  for (double *const sum :
-       {&result.energy, &result.plastic_energy, &result.potential_of_pressure})
+  for (double *const sum : {&result.energy.potential,
+                            &result.energy.stored,
+                            &result.energy.plastic,
+                            &result.energy.viscous,
+                            &result.potential_of_pressure})
     *sum = Utilities::MPI::sum(*sum, model.discretization.communicator);
   return result;
 }

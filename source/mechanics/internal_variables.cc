@@ -57,24 +57,14 @@ InternalVariables<dim>::empty() const
 
 
 template <int dim>
-ArrayView<const double>
-InternalVariables<dim>::before(const unsigned int cell,
-                               const unsigned int point) const
+History
+InternalVariables<dim>::history(const unsigned int cell,
+                                const unsigned int point)
 {
   if (empty())
-    return {nullptr, 0};
-  return {accepted.data() + first(cell, point), n_of_point[cell]};
-}
-
-
-
-template <int dim>
-ArrayView<double>
-InternalVariables<dim>::after(const unsigned int cell, const unsigned int point)
-{
-  if (empty())
-    return {nullptr, 0};
-  return {trial.data() + first(cell, point), n_of_point[cell]};
+    return {{nullptr, 0}, {nullptr, 0}, time_step};
+  const unsigned int from = first(cell, point), n = n_of_point[cell];
+  return {{accepted.data() + from, n}, {trial.data() + from, n}, time_step};
 }
 
 
@@ -93,7 +83,8 @@ template <int dim>
 void
 InternalVariables<dim>::accept()
 {
-  accepted = trial;
+  accepted  = trial;
+  time_step = 0;
 }
 
 

@@ -86,9 +86,8 @@ LawIntegration<dim>::respond(const ConstitutiveLaw &law,
   std::vector<MaterialResponse> responses;
   for (unsigned int q = 0; q < gradients.size(); ++q)
     {
-      responses.push_back(law.evaluate(
-        gradients[q], internal.before(c, q), internal.after(c, q)));
-      if (elastic == nullptr || !std::isfinite(responses.back().energy))
+      responses.push_back(law.evaluate(gradients[q], internal.history(c, q)));
+      if (elastic == nullptr || !responses.back().energy.is_finite())
         continue;
       const auto change =
         extrapolated(elastic->respond((*before)[q]),
@@ -132,7 +131,7 @@ std::vector<MaterialResponse>
 not_valid()
 {
   MaterialResponse response;
-  response.energy = std::numeric_limits<double>::infinity();
+  response.energy.potential = std::numeric_limits<double>::infinity();
   return {response};
 }
 } // namespace
@@ -180,7 +179,7 @@ LawIntegration<dim>::respond_mixed(const DecoupledLaw &law,
       const auto inverse_C          = invert(C);
       StrainEnergy energy           = law.distortion(C);
       MaterialResponse response;
-      response.energy = energy.value + mixed.energies[q];
+      response.energy = Energy::elastic(energy.value + mixed.energies[q]);
       response.stress =
         F * (energy.stress + mixed.mean_stress(points[q]) * J[q] * inverse_C);
       add_pressure(in_tangent(points[q]), 0, J[q], inverse_C, energy);
@@ -193,27 +192,29 @@ LawIntegration<dim>::respond_mixed(const DecoupledLaw &law,
 
 
 template <int dim>
-void
-LawIntegration<dim>::project_dilatation(
-  const double lambda,
-  const Gradients &gradients,
-  std::vector<MaterialResponse> &responses) const
+std::vector<MaterialResponse>
+LawIntegration<dim>::respond_mixed(const SmallStrainLaw &law,
+                                   const unsigned int c,
+                                   const Gradients &gradients,
+                                   std::vector<double> &stiffness) const
 {
   const auto &points = fe_values.get_quadrature_points();
   std::vector<double> divergences;
   for (const auto &gradient : gradients)
     divergences.push_back(trace(gradient));
-  const auto fit = dilatation_fit(discretization.type, fe_values)(divergences);
-  const Tensor<2, 3> one(unit_symmetric_tensor<3>());
-  const auto of_trace = lambda * outer_product(one, one);
-  for (unsigned int q = 0; q < responses.size(); ++q)
+  const auto theta =
+    dilatation_fit(discretization.type, fe_values)(divergences);
+  std::vector<MaterialResponse> responses;
+  for (unsigned int q = 0; q < gradients.size(); ++q)
     {
-      const double theta = fit(points[q]);
-      responses[q].stress += lambda * (theta - divergences[q]) * one;
-      responses[q].tangent -= of_trace;
-      responses[q].energy +=
-        lambda / 2 * (theta * theta - divergences[q] * divergences[q]);
+      const auto response = law.respond(
+        symmetrize(gradients[q]), theta(points[q]), internal.history(c, q));
+      stiffness.push_back(response.lambda);
+      responses.push_back({Tensor<2, 3>(response.stress),
+                           Tensor<4, 3>(response.tangent),
+                           response.energy});
     }
+  return responses;
 }
 
 
@@ -266,37 +267,39 @@ LawIntegration<dim>::evaluate(const Cell &cell,
   const auto *const elastic = material.law->hyperelastic();
   const auto *const decoupled =
     material.is_mixed && elastic != nullptr ? elastic->decoupled() : nullptr;
+  const auto *const small =
+    material.is_mixed ? material.law->small_strain() : nullptr;
   fe_values.reinit(cell);
   forces         = 0;
   tangent        = 0;
-  energy         = 0;
-  plastic_energy = 0;
+  energy         = Energy();
   auto gradients = gradients_of(displacement);
   Gradients gradients_before;
   if (before != nullptr)
     gradients_before = gradients_of(*before);
   const Gradients *const from = before != nullptr ? &gradients_before : nullptr;
   std::vector<double> stiffness;
-  auto responses =
-    decoupled != nullptr
-      ? respond_mixed(*decoupled, gradients, from, stiffness)
-      : respond(*material.law, cell->active_cell_index(), gradients, from);
-  if (material.is_mixed && elastic == nullptr)
+  std::vector<MaterialResponse> responses;
+  const unsigned int c = cell->active_cell_index();
+  if (decoupled != nullptr)
+    responses = respond_mixed(*decoupled, gradients, from, stiffness);
+  else if (small != nullptr)
     {
-      project_dilatation(material.at_rest.lambda, gradients, responses);
-      stiffness.assign(gradients.size(), material.at_rest.lambda);
+      responses = respond_mixed(*small, c, gradients, stiffness);
+      // About which the change of volume is linear.
       gradients.assign(gradients.size(), Tensor<2, 3>());
     }
+  else
+    responses = respond(*material.law, c, gradients, from);
   for (const auto &response : responses)
-    if (!std::isfinite(response.energy))
+    if (!response.energy.is_finite())
       {
-        energy = std::numeric_limits<double>::infinity();
+        energy = response.energy;
         return;
       }
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
-      energy += responses[q].energy * fe_values.JxW(q);
-      plastic_energy += responses[q].plastic_energy * fe_values.JxW(q);
+      energy.add(fe_values.JxW(q), responses[q].energy);
       add_forces(q, responses[q].stress);
     }
   if (needs_tangent)

@@ -32,8 +32,8 @@ evaluate_by_kernel(const ElasticModel<dim> &model,
   u.update_ghost_values();
   typename CellBatches<dim>::Vector f(batches.partitioner());
   InternalForces result;
-  result.energy = Utilities::MPI::sum(batches.add_neo_hooke(u, f),
-                                      model.discretization.communicator);
+  result.energy = Energy::elastic(Utilities::MPI::sum(
+    batches.add_neo_hooke(u, f), model.discretization.communicator));
   f.compress(VectorOperation::add);
   result.forces = batches.copy_out(f);
   return result;

@@ -215,8 +215,8 @@ check_energy_of_split(const CutBody<dim> &body,
   // Plastic flow is no loss here: a body takes the least of what it stores and
   // what flow takes, from the last state on.
   const auto energy_of = [&](const State<dim> &state) {
-    return state.strain_energy + state.plastic_energy + state.pressure_energy -
-           after.forces * state.displacement;
+    return state.strain_energy + state.plastic_energy + state.viscous_energy +
+           state.pressure_energy - after.forces * state.displacement;
   };
   const double energy_after  = energy_of(after);
   const double energy_before = energy_of(before);

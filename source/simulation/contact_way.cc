@@ -182,7 +182,7 @@ void
 NonlinearContact<dim>::Way::evaluate(Iterate &iterate, const double part) const
 {
   iterate.internal = evaluate_laws(model, iterate.displacement);
-  if (std::isfinite(iterate.internal.energy))
+  if (iterate.internal.energy.is_finite())
     measure(iterate, part);
 }
 
@@ -193,7 +193,7 @@ void
 NonlinearContact<dim>::Way::measure(Iterate &iterate, const double part) const
 {
   LA::Vector residual = loads_at(part);
-  iterate.potential   = iterate.internal.energy +
+  iterate.potential   = iterate.internal.energy.potential +
                       iterate.internal.potential_of_pressure -
                       residual * iterate.displacement;
   const double scale = std::max({residual.l2_norm(),
@@ -227,8 +227,8 @@ NonlinearContact<dim>::Way::search(const Iterate &from,
   if (prescribed.linfty_norm() > 0)
     {
       evaluate(to, part);
-      return std::isfinite(to.internal.energy) ? std::optional<Iterate>(to)
-                                               : std::nullopt;
+      return to.internal.energy.is_finite() ? std::optional<Iterate>(to)
+                                            : std::nullopt;
     }
   // Of the fall that the slope promises, what a step must bring.
   constexpr double least_share = 1e-4;
@@ -248,7 +248,7 @@ NonlinearContact<dim>::Way::search(const Iterate &from,
       tried.displacement = from.displacement;
       tried.displacement.add(length, step);
       evaluate(tried, part);
-      if (!std::isfinite(tried.internal.energy))
+      if (!tried.internal.energy.is_finite())
         continue;
       const bool falls = tried.potential - from.potential <=
                          length * (penalty - least_share * fall);
@@ -297,7 +297,7 @@ NonlinearContact<dim>::Way::go(const Equilibrium &from,
             return {};
           quality.residual    = next.relative_residual;
           quality.force_scale = size_of_forces;
-          const double energy = next.internal.energy +
+          const double energy = next.internal.energy.total() +
                                 next.internal.potential_of_pressure -
                                 model.loads * next.displacement;
           return Equilibrium{stage.n_split,

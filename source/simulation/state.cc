@@ -80,8 +80,9 @@ set_solution(const ElasticModel<dim> &model,
   else
     {
       const InternalForces of_laws = evaluate_laws(model, state.displacement);
-      state.plastic_energy         = of_laws.plastic_energy;
-      state.strain_energy          = of_laws.energy - of_laws.plastic_energy;
+      state.plastic_energy         = of_laws.energy.plastic;
+      state.viscous_energy         = of_laws.energy.viscous;
+      state.strain_energy          = of_laws.energy.stored;
       state.pressure_energy        = of_laws.potential_of_pressure;
     }
   state.potential_energy = state.strain_energy + state.pressure_energy -
@@ -96,7 +97,7 @@ template <int dim>
 double
 energy_under_loads(const State<dim> &state)
 {
-  return state.potential_energy +
+  return state.potential_energy + state.plastic_energy + state.viscous_energy +
          state.load_factor * (state.blade.nodal_forces * state.displacement);
 }
 

@@ -89,7 +89,8 @@ NewtonPath<dim>::evaluate(const LA::Vector &displacement,
   if (!now.is_valid())
     return now;
   now.residual  = forces_at(part);
-  now.potential = now.internal.energy + now.internal.potential_of_pressure -
+  now.potential = now.internal.energy.potential +
+                  now.internal.potential_of_pressure -
                   now.residual * displacement;
   // Forces of the state before are a scale where none act any more.
   const double scale =

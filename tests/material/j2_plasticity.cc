@@ -28,7 +28,7 @@ evaluate(const ConstitutiveLaw &law,
 {
   after.resize(before.size());
   return law.evaluate(
-    gradient, {before.data(), before.size()}, {after.data(), after.size()});
+    gradient, {{before.data(), before.size()}, {after.data(), after.size()}});
 }
 
 
@@ -117,16 +117,17 @@ test_bar(const Hardening &hardening)
   const auto at_zero = pull(pulled[0], pulled, released);
   check_below("  released: stress", std::abs(at_zero.stress[0][0]), 1e-9);
   check_below("  released: stored energy",
-              std::abs(at_zero.energy - at_zero.plastic_energy),
+              std::abs(at_zero.energy.potential - at_zero.energy.plastic),
               1e-15);
-  const double left = at_largest.energy - stress * stress / (2 * E);
+  const double left = at_largest.energy.potential - stress * stress / (2 * E);
   check_below("  plastic energy: the area below the curve",
-              std::abs(at_zero.plastic_energy / left - 1),
+              std::abs(at_zero.energy.plastic / left - 1),
               1e-10);
   const double area =
     yield_stress * first / 2 + (yield_stress + stress) / 2 * (largest - first);
-  check_below(
-    "  energy: the area", std::abs(at_largest.energy / area - 1), 1e-10);
+  check_below("  energy: the area",
+              std::abs(at_largest.energy.potential / area - 1),
+              1e-10);
   // To the other end of the elastic range, and a little further.
   const double range = 2 * (yield_stress + hardening.isotropic * pulled[6]);
   for (const double beyond : {-1e-3, 1e-3})
@@ -164,7 +165,8 @@ test_derivatives(const Hardening &hardening)
         const auto ahead  = evaluate(law, now + change, before, after);
         of_energy =
           std::max(of_energy,
-                   std::abs((ahead.energy - behind.energy) / (2 * step) -
+                   std::abs((ahead.energy.potential - behind.energy.potential) /
+                              (2 * step) -
                             response.stress[k][l]));
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < 3; ++j)

@@ -3,7 +3,7 @@
 // that counts the states which were accepted.
 #pragma once
 
-#include <setsudan/material/constitutive_law.h>
+#include <setsudan/material/small_strain_law.h>
 
 namespace Setsudan
 {
@@ -29,11 +29,10 @@ public:
 
   MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const dealii::ArrayView<const double> &before,
-           const dealii::ArrayView<double> &after) const override
+           const History &history) const override
   {
-    after[0] = before[0] + 1;
-    return elastic.evaluate(gradient, before, after);
+    history.after[0] = history.before[0] + 1;
+    return elastic.evaluate(gradient, history);
   }
 
 private:

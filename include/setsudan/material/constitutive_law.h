@@ -4,14 +4,59 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/tensor.h>
 
-#include <setsudan/material/material.h>
-
-#include <memory>
+#include <cmath>
 #include <string>
 
 namespace Setsudan
 {
+class Hooke;
 class HyperelasticLaw;
+class SmallStrainLaw;
+
+/** What becomes of the work that is done on a material, per volume at rest
+ * [force/area]; of a body, the integral of that [force length]. */
+struct Energy
+{
+  /** That of which stress and tangent are derivatives in this step of time, up
+   * to what does not depend on this state. Where no time passes its changes are
+   * those of total(). Infinite where a volume is not positive. */
+  double potential = 0;
+  /** What is given back. */
+  double stored = 0;
+  /** What plastic flow has taken since the start: what it has turned into heat,
+   * and what its hardening has stored. */
+  double plastic = 0;
+  /** What viscosity has turned into heat since the start. */
+  double viscous = 0;
+
+  /** Of an elastic material. */
+  static Energy
+  elastic(const double stored)
+  {
+    return {stored, stored, 0, 0};
+  }
+
+  double
+  total() const
+  {
+    return stored + plastic + viscous;
+  }
+
+  bool
+  is_finite() const
+  {
+    return std::isfinite(potential);
+  }
+
+  void
+  add(const double weight, const Energy &other)
+  {
+    potential += weight * other.potential;
+    stored += weight * other.stored;
+    plastic += weight * other.plastic;
+    viscous += weight * other.viscous;
+  }
+};
 
 /** What a law answers to a displacement gradient. */
 struct MaterialResponse
@@ -21,13 +66,18 @@ struct MaterialResponse
   dealii::Tensor<2, 3> stress;
   /** Its derivative by the displacement gradient [force/area]. */
   dealii::Tensor<4, 3> tangent;
-  /** Per volume at rest, the energy of which stress and tangent are
-   * derivatives: what is stored, and what plastic flow has taken [force/area].
-   */
-  double energy = 0;
-  /** The part of it that plastic flow has taken since the start: what it has
-   * turned into heat, and what its hardening has stored. */
-  double plastic_energy = 0;
+  Energy energy;
+};
+
+/** What a point remembers. */
+struct History
+{
+  /** The internal variables of the last accepted state. */
+  dealii::ArrayView<const double> before;
+  /** Those of this state; is written. */
+  dealii::ArrayView<double> after;
+  /** How much later this state is [time]. */
+  double time_step = 0;
 };
 
 /** The law of a material at a point. Laws are written once, in space; plane
@@ -59,9 +109,23 @@ public:
     return nullptr;
   }
 
+  /** This, if it is a law of small strain; or null. */
+  virtual const SmallStrainLaw *
+  small_strain() const
+  {
+    return nullptr;
+  }
+
   /** Whether the body stays deformed beyond a limit. */
   virtual bool
   is_plastic() const
+  {
+    return false;
+  }
+
+  /** Whether its stress depends on how fast it is deformed. */
+  virtual bool
+  is_viscous() const
   {
     return false;
   }
@@ -80,32 +144,9 @@ public:
     (void)internal;
   }
 
-  /**
-   * @param gradient of the displacement.
-   * @param before   the internal variables of the last accepted state.
-   * @param after    those of this state; is written.
-   */
+  /** @param gradient of the displacement. */
   virtual MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const dealii::ArrayView<const double> &before,
-           const dealii::ArrayView<double> &after) const = 0;
-};
-
-/** Hooke's law. */
-class LinearElasticity : public ConstitutiveLaw
-{
-public:
-  explicit LinearElasticity(const Hooke &hooke);
-
-  const Hooke *
-  linear() const override;
-
-  MaterialResponse
-  evaluate(const dealii::Tensor<2, 3> &gradient,
-           const dealii::ArrayView<const double> &before,
-           const dealii::ArrayView<double> &after) const override;
-
-private:
-  const Hooke hooke;
+           const History &history) const = 0;
 };
 } // namespace Setsudan

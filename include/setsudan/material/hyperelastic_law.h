@@ -4,6 +4,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <setsudan/material/constitutive_law.h>
+#include <setsudan/material/material.h>
 #include <setsudan/material/volumetric_energy.h>
 
 #include <optional>
@@ -69,8 +70,7 @@ public:
   /** respond(). */
   MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const dealii::ArrayView<const double> &before,
-           const dealii::ArrayView<double> &after) const override;
+           const History &history) const override;
 };
 
 /** The tangent of a law in terms of F: d(F S)/dF.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/material/constitutive_law.h>
+#include <setsudan/material/small_strain_law.h>
 
 #include <string>
 
@@ -32,7 +32,7 @@ struct Hardening
  * Internal variables: the plastic strain xx, yy, zz, xy, yz, zx and the
  * accumulated one.
  */
-class J2Plasticity : public ConstitutiveLaw
+class J2Plasticity : public SmallStrainLaw
 {
 public:
   J2Plasticity(const Hooke &hooke,
@@ -57,10 +57,10 @@ public:
   void
   initialize(const dealii::ArrayView<double> &internal) const override;
 
-  MaterialResponse
-  evaluate(const dealii::Tensor<2, 3> &gradient,
-           const dealii::ArrayView<const double> &before,
-           const dealii::ArrayView<double> &after) const override;
+  SmallStrainResponse
+  respond(const dealii::SymmetricTensor<2, 3> &strain,
+          const double dilatation,
+          const History &history) const override;
 
 private:
   const Hooke hooke;

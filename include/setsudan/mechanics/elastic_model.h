@@ -74,12 +74,9 @@ struct InternalForces
 {
   /** F(u), see internal_forces(). */
   LA::Vector forces;
-  /** The energy that is stored, and what plastic flow has taken: the forces
-   * are its derivatives. Infinite where a volume is not positive, and the
-   * forces are not set there. */
-  double energy = 0;
-  /** The part of it that plastic flow has taken since the start. */
-  double plastic_energy = 0;
+  /** The forces are the derivatives of its potential; where that is infinite
+   * they are not set. */
+  Energy energy;
   /** That of pressures, see FollowerPressure. */
   double potential_of_pressure = 0;
 };

@@ -29,18 +29,26 @@ public:
   bool
   empty() const;
 
-  /** @param cell its active index. */
-  dealii::ArrayView<const double>
-  before(const unsigned int cell, const unsigned int point) const;
+  /** What a law is evaluated with.
+   *
+   * @param cell its active index. */
+  History
+  history(const unsigned int cell, const unsigned int point);
 
-  dealii::ArrayView<double>
-  after(const unsigned int cell, const unsigned int point);
-
-  /** What after() has been set to. */
+  /** What a law has set. */
   dealii::ArrayView<const double>
   present(const unsigned int cell, const unsigned int point) const;
 
-  /** Let the state that was solved for be the last accepted one. */
+  /** Let the states that are solved for be so much later than the last accepted
+   * one [time]. */
+  void
+  set_time_step(const double duration)
+  {
+    time_step = duration;
+  }
+
+  /** Let the state that was solved for be the last accepted one; no time passes
+   * behind it until a step is set. */
   void
   accept();
 
@@ -62,5 +70,6 @@ private:
   /** For each cell where its variables begin, and how many a point has. */
   std::vector<unsigned int> begin, n_of_point;
   std::vector<double> accepted, trial;
+  double time_step = 0;
 };
 } // namespace Setsudan

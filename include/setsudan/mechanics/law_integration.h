@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/material/small_strain_law.h>
 #include <setsudan/mechanics/internal_variables.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -54,11 +55,8 @@ public:
   // Of the present cell, in the order of its unknowns.
   dealii::Vector<double> forces;
   dealii::FullMatrix<double> tangent;
-  /** Infinite where a volume is not positive; then forces and tangent are not
-   * set. */
-  double energy = 0;
-  /** The part of it that plastic flow has taken, see MaterialResponse. */
-  double plastic_energy = 0;
+  /** Where its potential is infinite, forces and tangent are not set. */
+  Energy energy;
 
 private:
   using Gradients = std::vector<dealii::Tensor<2, 3>>;
@@ -86,13 +84,13 @@ private:
                 const Gradients *before,
                 std::vector<double> &stiffness) const;
 
-  /** Let the change of volume be the projected one in what a law of small
-   * strain answers, as in Dilatation; its stiffness is left to
-   * add_volume_stiffness(). */
-  void
-  project_dilatation(const double lambda,
-                     const Gradients &gradients,
-                     std::vector<MaterialResponse> &responses) const;
+  /** The same of a law of small strain, with the change of volume that
+   * Dilatation projects. */
+  std::vector<MaterialResponse>
+  respond_mixed(const SmallStrainLaw &law,
+                const unsigned int cell,
+                const Gradients &gradients,
+                std::vector<double> &stiffness) const;
 
   void
   evaluate(const Cell &cell,

@@ -32,8 +32,9 @@ struct State
   double strain_energy    = 0;
   double pressure_energy  = 0;
   double potential_energy = 0;
-  /** What plastic flow has taken since the run began. */
+  /** What plastic flow has taken since the run began, and viscosity. */
   double plastic_energy = 0;
+  double viscous_energy = 0;
   SolveQuality quality;
   CuttingStress stress;
   /** Of a blade that travels. */

@@ -26,7 +26,7 @@ struct NewtonIterate
   bool
   is_valid() const
   {
-    return std::isfinite(internal.energy);
+    return internal.energy.is_finite();
   }
 };
 

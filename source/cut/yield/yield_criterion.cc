@@ -200,7 +200,7 @@ private:
     const auto potential = [&](const LA::Vector &displacement,
                                const LA::Vector &under) {
       const InternalForces of_laws = evaluate_laws(model, displacement);
-      return of_laws.energy + of_laws.potential_of_pressure -
+      return of_laws.energy.potential + of_laws.potential_of_pressure -
              under * displacement;
     };
     const double after = potential(released.displacement, forces);

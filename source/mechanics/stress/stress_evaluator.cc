@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/quadrature_lib.h>
 
+#include <setsudan/material/small_strain_law.h>
 #include <setsudan/mechanics/strain_and_stress.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
 
@@ -198,17 +199,13 @@ StressEvaluator<dim>::stress_with_memory(const unsigned int p) const
         before[i] += weights[q] * at_gauss_point[i];
     }
   const Tensor<2, 3> in_space = Setsudan::in_space(gradient(p));
-  auto stress                 = symmetrize(
-    material->law
-      ->evaluate(in_space,
-                 ArrayView<const double>(before.data(), before.size()),
-                 ArrayView<double>(after.data(), after.size()))
-      .stress);
+  const History history{{before.data(), before.size()},
+                        {after.data(), after.size()}};
   if (projected)
-    stress += material->at_rest.lambda *
-              ((*projected)(point(p)) - trace(in_space)) *
-              unit_symmetric_tensor<3>();
-  return stress;
+    return material->law->small_strain()
+      ->respond(symmetrize(in_space), (*projected)(point(p)), history)
+      .stress;
+  return symmetrize(material->law->evaluate(in_space, history).stress);
 }
 
 
