@@ -18,8 +18,9 @@ BladePath::declare(ParameterHandler &handler)
     "Speed",
     "0",
     Patterns::Double(),
-    "Of a blade that travels, which gives its way a time; 0 if it "
-    "is not known [length/time].");
+    "Of a blade that travels, which gives its way a time, or of the front of a "
+    "cut through a viscous body under given forces; 0 if it is not known "
+    "[length/time].");
   Setsudan::declare(
     handler,
     "Blade",
@@ -41,8 +42,6 @@ BladePath::BladePath(const Parameters &parameters, const bool travels)
 {
   parameters.require(
     speed >= 0, "Blade", "Speed", "a number that is not negative");
-  parameters.require(
-    travels || speed == 0, "Blade", "Speed", "0 where Blade/Drive is force");
   const std::string text = parameters.text("Blade", "Travel");
   if (text.empty())
     return;

@@ -15,6 +15,31 @@ using namespace dealii;
 
 namespace
 {
+/** Where the name of a group ends and its value begins. */
+using EndOfGroup = std::string::size_type (*)(const std::string &);
+
+/** At the last colon, where there is one. */
+std::string::size_type
+last_colon(const std::string &item)
+{
+  return item.rfind(':');
+}
+
+/** At the first colon, unless what stands before it is a number and so the
+ * first of a pair. */
+std::string::size_type
+colon_before_pairs(const std::string &item)
+{
+  const auto colon = item.find(':');
+  std::vector<double> number;
+  if (colon == std::string::npos ||
+      (parse_numbers(item.substr(0, colon), number) && !number.empty()))
+    return std::string::npos;
+  return colon;
+}
+
+
+
 /**
  * Read a parameter that is a value, or values for groups of elements.
  *
@@ -29,7 +54,8 @@ read_values(
   const std::string &name,
   const std::string &kind,
   const std::string &allowed,
-  const std::function<std::optional<Value>(const std::string &)> &parse)
+  const std::function<std::optional<Value>(const std::string &)> &parse,
+  const EndOfGroup end_of_group = last_colon)
 {
   const auto reject_unless = [&](const bool condition,
                                  const std::string &what) {
@@ -40,8 +66,7 @@ read_values(
   bool all_given = false;
   for (const auto &item : split(parameters.text("Material", name), ';'))
     {
-      // The number stands behind the last colon, where there is one.
-      const auto colon     = item.rfind(':');
+      const auto colon     = end_of_group(item);
       const bool has_group = colon != std::string::npos;
       const std::string word =
         has_group ? Utilities::trim(item.substr(0, colon)) : "";
@@ -135,6 +160,43 @@ read_lists(const Parameters &parameters,
 
 
 template <int dim>
+ElementValues<std::vector<std::pair<double, double>>>
+read_pairs(const Parameters &parameters,
+           const Body<dim> &body,
+           const std::string &name,
+           const std::string &kind,
+           const std::string &allowed,
+           bool (*is_allowed)(const std::pair<double, double> &))
+{
+  using Pairs = std::vector<std::pair<double, double>>;
+  if (parameters.text("Material", name).empty())
+    return {Pairs()};
+  return read_values<dim, Pairs>(
+    parameters,
+    body,
+    name,
+    kind,
+    allowed,
+    [&](const std::string &text) -> std::optional<Pairs> {
+      Pairs pairs;
+      for (const auto &[before, behind] : split_items(text, ','))
+        {
+          std::vector<double> first, second;
+          if (!parse_numbers(before, first) || first.size() != 1 ||
+              !parse_numbers(behind, second) || second.size() != 1)
+            return {};
+          pairs.emplace_back(first[0], second[0]);
+          if (!is_allowed(pairs.back()))
+            return {};
+        }
+      return pairs;
+    },
+    colon_before_pairs);
+}
+
+
+
+template <int dim>
 ElementValues<std::string>
 read_names(const Parameters &parameters,
            const Body<dim> &body,
@@ -170,6 +232,13 @@ read_names(const Parameters &parameters,
                                                          const std::string &, \
                                                          const unsigned int,  \
                                                          bool (*)(double));   \
+  template ElementValues<std::vector<std::pair<double, double>>> read_pairs(  \
+    const Parameters &,                                                       \
+    const Body<dim> &,                                                        \
+    const std::string &,                                                      \
+    const std::string &,                                                      \
+    const std::string &,                                                      \
+    bool (*)(const std::pair<double, double> &));                             \
   template ElementValues<std::string> read_names(const Parameters &,          \
                                                  const Body<dim> &,           \
                                                  const std::string &,         \

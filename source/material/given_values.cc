@@ -30,6 +30,32 @@ GivenValues<dim>::GivenValues(const Parameters &parameters,
     read("Yield stress", "a number that is not negative", is_not_negative);
   hardenings = read_lists(
     parameters, body, "Hardening", "isotropic, kinematic", 2, is_not_negative);
+  const auto read_terms = [&](const std::string &name) {
+    return read_pairs(parameters,
+                      body,
+                      name,
+                      "'relative modulus : relaxation time'",
+                      "'relative modulus : relaxation time', separated by ',', "
+                      "all greater than 0 and moduli that sum to less than 1",
+                      [](const std::pair<double, double> &term) {
+                        return term.first > 0 && term.second > 0;
+                      });
+  };
+  shear_terms = read_terms("Viscous");
+  bulk_terms  = read_terms("Viscous bulk");
+  for (const auto &[all, name] : {std::make_pair(&shear_terms, "Viscous"),
+                                  std::make_pair(&bulk_terms, "Viscous bulk")})
+    for (const auto &terms : *all)
+      {
+        double sum = 0;
+        for (const auto &term : terms)
+          sum += term.first;
+        parameters.require(sum < 1,
+                           "Material",
+                           name,
+                           "relative moduli that sum to less than 1, since a "
+                           "part of the body must last");
+      }
   names = read_names(parameters, body, "Law", "law", LawParameters::names());
 }
 
@@ -45,6 +71,8 @@ GivenValues<dim>::size() const
                    toughnesses.size(),
                    yield_stresses.size(),
                    hardenings.size(),
+                   shear_terms.size(),
+                   bulk_terms.size(),
                    names.size()});
 }
 
@@ -63,6 +91,8 @@ GivenValues<dim>::of_element(const unsigned int element) const
           of(toughnesses),
           of(yield_stresses),
           of(hardenings),
+          of(shear_terms),
+          of(bulk_terms),
           of(names)};
 }
 

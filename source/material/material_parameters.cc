@@ -64,6 +64,24 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "'isotropic, kinematic': by how much Yield stress rises "
                     "with the plastic strain of a bar, and by how much the "
                     "center of its elastic range moves [force/area].");
+  Setsudan::declare(
+    handler,
+    "Material",
+    "Viscous",
+    "",
+    Patterns::Anything(),
+    "'relative modulus : relaxation time', several separated by ',', as in "
+    "'0.5 : 0.1, 0.2 : 30', or 'group : ...' separated by ';': the parts of "
+    "the shear modulus that relax, and the times in which they fall to 1/e. "
+    "Young's modulus and Poisson's ratio are those of a sudden strain. Time "
+    "comes from Blade/Speed, Blade/Travel and Time/Steps; empty for a material "
+    "without time [-] : [time].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Viscous bulk",
+                    "",
+                    Patterns::Anything(),
+                    "The same of the bulk modulus [-] : [time].");
   Setsudan::declare(handler,
                     "Material",
                     "Formulation",
@@ -117,6 +135,29 @@ make_law(const Parameters &parameters,
 } // namespace
 
 
+namespace
+{
+/** The law of a material that remembers. */
+std::shared_ptr<const SmallStrainLaw>
+with_memory(const Hooke &at_once,
+            const Hooke &lasting,
+            const double yield_stress,
+            const Hardening &hardening,
+            const Relaxation &relaxation)
+{
+  std::shared_ptr<const SmallStrainLaw> law;
+  if (yield_stress > 0)
+    law =
+      std::make_shared<const J2Plasticity>(lasting, yield_stress, hardening);
+  else
+    law = std::make_shared<const LinearElasticity>(lasting);
+  if (!relaxation.empty())
+    law = std::make_shared<const Viscoelasticity>(law, at_once, relaxation);
+  return law;
+}
+} // namespace
+
+
 template <int dim>
 MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                                             const Body<dim> &body)
@@ -149,26 +190,41 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
       const auto inserted = numbers.emplace(values, numbers.size());
       if (inserted.second)
         {
-          const auto
-            &[modulus, ratio, limit, toughness, yield, hardening, name] =
-              values;
-          hardens = hardens || hardening[0] > 0 || hardening[1] > 0;
+          const auto &[modulus,
+                       ratio,
+                       limit,
+                       toughness,
+                       yield,
+                       hardening,
+                       shear_terms,
+                       bulk_terms,
+                       name] = values;
+          hardens            = hardens || hardening[0] > 0 || hardening[1] > 0;
           const Hooke at_rest(modulus, ratio);
-          const bool mixed = is_mixed(ratio);
-          auto law         = make_law(parameters, laws, name, at_rest, mixed);
-          if (yield > 0)
-            law = std::make_shared<const J2Plasticity>(
-              at_rest, yield, Hardening{hardening[0], hardening[1]});
+          const Relaxation relaxation{shear_terms, bulk_terms};
+          // Where shear relaxes, the body is nearer to incompressible then.
+          const Hooke lasting = relaxation.long_after(at_rest);
+          const bool mixed =
+            is_mixed(std::max(ratio, lasting.poissons_ratio()));
+          auto law = make_law(parameters, laws, name, at_rest, mixed);
+          if (yield > 0 || !relaxation.empty())
+            law = with_memory(at_rest,
+                              lasting,
+                              yield,
+                              {hardening[0], hardening[1]},
+                              relaxation);
           materials.push_back({at_rest, law, limit, toughness, mixed});
         }
       material_of_element.push_back(inserted.first->second);
     }
   if (materials.size() == 1)
     material_of_element.clear();
-  parameters.require(!is_plastic() || strain == LawParameters::Strain::small,
+  parameters.require(!has_internal_variables() ||
+                       strain == LawParameters::Strain::small,
                      "Deformation",
                      "Strain",
-                     "small where Material/Yield stress is given");
+                     "small where Material/Yield stress or Material/Viscous is "
+                     "given");
   parameters.require(is_plastic() || !hardens,
                      "Material",
                      "Hardening",
@@ -295,6 +351,18 @@ MaterialParameters<dim>::is_plastic() const
   return std::any_of(
     materials.begin(), materials.end(), [](const Material &material) {
       return material.law->is_plastic();
+    });
+}
+
+
+
+template <int dim>
+bool
+MaterialParameters<dim>::is_viscous() const
+{
+  return std::any_of(
+    materials.begin(), materials.end(), [](const Material &material) {
+      return material.law->is_viscous();
     });
 }
 

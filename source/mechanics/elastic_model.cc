@@ -99,6 +99,24 @@ ElasticModel<dim>::batches() const
 
 
 template <int dim>
+void
+ElasticModel<dim>::set_load_factor(const double factor)
+{
+  if (factor == factor_of_loads)
+    return;
+  if (loads_of_scene.size() == 0)
+    {
+      loads_of_scene = loads;
+      lift_of_scene  = lift;
+    }
+  factor_of_loads = factor;
+  loads.equ(factor, loads_of_scene);
+  lift.equ(factor, lift_of_scene);
+}
+
+
+
+template <int dim>
 bool
 ElasticModel<dim>::is_linear() const
 {
@@ -118,6 +136,7 @@ public:
 
   explicit CellForces(const ElasticModel<dim> &model)
     : laws(model.discretization, model.materials, model.internal)
+    , load_factor(model.load_factor())
   {
     if (model.materials.finite_strain)
       pressure = std::make_unique<FollowerPressure<dim>>(model.discretization,
@@ -132,8 +151,8 @@ public:
     potential_of_pressure = 0;
     if (pressure && pressure->reinit(cell, u, false))
       {
-        laws.forces -= pressure->forces;
-        potential_of_pressure = pressure->potential;
+        laws.forces.add(-load_factor, pressure->forces);
+        potential_of_pressure = load_factor * pressure->potential;
       }
   }
 
@@ -145,7 +164,7 @@ public:
   {
     laws.reinit_with_tangent(cell, u, before);
     if (pressure && pressure->reinit(cell, u, true))
-      laws.tangent.add(-1, pressure->tangent);
+      laws.tangent.add(-load_factor, pressure->tangent);
   }
 
   LawIntegration<dim> laws;
@@ -153,6 +172,7 @@ public:
 
 private:
   std::unique_ptr<FollowerPressure<dim>> pressure;
+  const double load_factor;
 };
 } // namespace
 
@@ -193,10 +213,12 @@ follower_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
     return discretization.zero_vector();
   FollowerPressure<dim> pressure(discretization, model.load_parameters);
   const LA::Vector u = discretization.with_ghosts(displacement);
-  return assemble_forces<dim>(
-    discretization, [&](const auto &cell, const auto &) {
+  LA::Vector forces =
+    assemble_forces<dim>(discretization, [&](const auto &cell, const auto &) {
       return pressure.reinit(cell, u, false) ? &pressure.forces : nullptr;
     });
+  forces *= model.load_factor();
+  return forces;
 }
 
 

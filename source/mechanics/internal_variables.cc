@@ -62,9 +62,9 @@ InternalVariables<dim>::history(const unsigned int cell,
                                 const unsigned int point)
 {
   if (empty())
-    return {{nullptr, 0}, {nullptr, 0}, time_step};
+    return {{nullptr, 0}, {nullptr, 0}, step};
   const unsigned int from = first(cell, point), n = n_of_point[cell];
-  return {{accepted.data() + from, n}, {trial.data() + from, n}, time_step};
+  return {{accepted.data() + from, n}, {trial.data() + from, n}, step};
 }
 
 
@@ -83,8 +83,8 @@ template <int dim>
 void
 InternalVariables<dim>::accept()
 {
-  accepted  = trial;
-  time_step = 0;
+  accepted = trial;
+  step     = 0;
 }
 
 

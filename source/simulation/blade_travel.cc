@@ -122,7 +122,10 @@ BladeTravel<dim>::advance(CutBody<dim> &body,
   const auto split       = follow(motion, goal);
   motion.n_rows_to_split = split ? split->n_rows : 0;
   if (!split && motion.n_stops < this->scene.blade.path.stops.size())
-    reach_stop(this->scene.blade.path, motion);
+    {
+      motion.time += duration_of_rest(this->scene.blade.path, motion);
+      ++motion.n_stops;
+    }
   State<dim> state = solve(body, row, motion, from);
   state.yields     = split.has_value();
   if (split)

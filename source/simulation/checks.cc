@@ -153,6 +153,8 @@ evaluate_state(const CutBody<dim> &body, const State<dim> &state, Event &event)
   event.potential_energy = state.potential_energy;
   if (event.plastic_energy)
     event.plastic_energy = state.plastic_energy;
+  if (event.viscous_energy)
+    event.viscous_energy = state.viscous_energy;
 
   const auto extremes    = find_extremes(body.model(), state.displacement);
   event.min_jacobian     = extremes.min_jacobian;
@@ -209,8 +211,11 @@ check_energy_of_split(const CutBody<dim> &body,
   // In a body that is not linear the work of an opening has no bound by its
   // last forces, and pressures that follow have no potential where the rim of
   // their surface is free.
+  // Nor do forces of a blade that has moved bound its work where a body
+  // remembers.
   if (!body.model().is_linear() &&
-      (after.opening.linfty_norm() > 0 || after.pressure_energy != 0))
+      ((after.blade.presses() && !body.model().internal.empty()) ||
+       after.opening.linfty_norm() > 0 || after.pressure_energy != 0))
     return;
   // Plastic flow is no loss here: a body takes the least of what it stores and
   // what flow takes, from the last state on.

@@ -61,6 +61,7 @@ CutBody<dim>::rebuild()
                                         materials,
                                         mpi_communicator,
                                         the_scene.body_parameters.element_type);
+  present_model->set_load_factor(load_factor);
   if (the_scene.board.is_given)
     present_board =
       std::make_unique<BoardContacts<dim>>(*present_model,
@@ -68,6 +69,16 @@ CutBody<dim>::rebuild()
                                            materials.smallest_youngs_modulus(),
                                            present_mesh.extent());
   severed.remove_loads(*present_model);
+}
+
+
+
+template <int dim>
+void
+CutBody<dim>::set_load_factor(const double factor)
+{
+  load_factor = factor;
+  present_model->set_load_factor(factor);
 }
 
 

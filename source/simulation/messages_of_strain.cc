@@ -16,10 +16,14 @@ describe_strain(const MaterialParameters<dim> &materials)
            "principal "
            "strain exceeds Material/Linear range = " +
            short_text(materials.linear_range) + ".";
-  if (materials.is_plastic())
-    return "Strain: small, with plastic flow, by Newton's method.";
-  if (!materials.finite_strain)
+  if (!materials.finite_strain && !materials.has_internal_variables())
     return {};
+  if (!materials.finite_strain)
+    return std::string("Strain: small, with ") +
+           (materials.is_plastic() ? "plastic flow" : "") +
+           (materials.is_plastic() && materials.is_viscous() ? " and " : "") +
+           (materials.is_viscous() ? "viscosity" : "") +
+           ", by Newton's method.";
   std::set<std::string> laws;
   for (const auto &material : materials.all())
     laws.insert(

@@ -111,9 +111,12 @@ NonlinearContact<dim>::follow(const BladeProfile &of_blade,
                               const BladeMotion &motion,
                               const Equilibrium &from) const
 {
-  Stage &here = stage(n_split, n_ahead);
-  Way way(*this, here, of_blade, motion, from);
-  Equilibrium last     = from;
+  Stage &here      = stage(n_split, n_ahead);
+  Equilibrium last = from;
+  // Another time has passed since then than from where it was reached.
+  if (!body.model().internal.empty())
+    last.internal = evaluate_laws(body.model(), last.displacement);
+  Way way(*this, here, of_blade, motion, last);
   unsigned int n_steps = 0;
   std::optional<SolverError> failure;
   const double reached = follow_in_parts(

@@ -51,7 +51,8 @@ NonlinearTravel<dim>::begin(CutBody<dim> &body,
     body, this->scene.blade.profile, from.displacement);
   BladeMotion motion = from.motion.value_or(BladeMotion());
   if (!from.motion)
-    motion.energy_at_rest = from.potential_energy;
+    motion.energy_at_rest =
+      from.potential_energy + from.plastic_energy + from.viscous_energy;
   here = Position{
     motion, contact->begin(row, n_ahead(body, row), motion, from.displacement)};
   // What small strain has stored otherwise, as far as the blade has come so.
@@ -80,7 +81,11 @@ NonlinearTravel<dim>::go_on(CutBody<dim> &body, const unsigned int row)
 {
   try
     {
-      follow(body, row, goal_of_travel(body, here->motion));
+      if (const double duration =
+            duration_of_rest(this->scene.blade.path, here->motion))
+        rest(body, row, duration);
+      else
+        follow(body, row, goal_of_travel(body, here->motion));
     }
   catch (const NoEquilibriumError &error)
     {
@@ -123,7 +128,7 @@ NonlinearTravel<dim>::advance(CutBody<dim> &body,
   const bool yields      = here->yields();
   motion.n_rows_to_split = yields ? here->n_rows : 0;
   if (!yields && motion.n_stops < stops.size())
-    reach_stop(this->scene.blade.path, motion);
+    ++motion.n_stops;
   State<dim> state = this->state(*here, row);
   state.stress     = here->stress;
   state.yields     = yields;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <setsudan/mechanics/assumed_state.h>
 #include <setsudan/simulation/nonlinear_travel.h>
 
 #include <algorithm>
@@ -44,11 +45,14 @@ typename NonlinearTravel<dim>::Position
 NonlinearTravel<dim>::move(CutBody<dim> &body,
                            const unsigned int row,
                            const Position &from,
-                           const double travel) const
+                           const double travel,
+                           const double time) const
 {
   Position next;
   next.motion        = from.motion;
   next.motion.travel = travel;
+  next.motion.time   = time;
+  body.let_time_pass(time - here->motion.time);
   next.equilibrium =
     contact->reach(row, n_ahead(body, row), next.motion, from.equilibrium);
   const auto &before = *from.equilibrium.path, &after = *next.equilibrium.path;
@@ -58,13 +62,17 @@ NonlinearTravel<dim>::move(CutBody<dim> &body,
   // By values and slopes at both ends; where contacts change at the beginning,
   // its slope is not that of the way.
   const bool changes = std::abs(before.end() - begin) < 1e-6 * std::abs(way);
-  const auto work_of = [&](Quadratic ContactResultants::*part) {
+  // Slopes are those without time, and without what flows on the way.
+  const bool remembers = !body.model().internal.empty();
+  const auto work_of   = [&](Quadratic ContactResultants::*part) {
     const double at_begin = (first.*part)(begin), at_end = (last.*part)(travel);
     const double slope_at_begin = (first.*part).c[1],
                  slope_at_end   = (last.*part).c[1];
+    if (remembers)
+      return (at_begin + at_end) / 2 * way;
     return changes
-             ? (at_begin + 2 * at_end) / 3 * way - slope_at_end * way * way / 6
-             : (at_begin + at_end) / 2 * way +
+               ? (at_begin + 2 * at_end) / 3 * way - slope_at_end * way * way / 6
+               : (at_begin + at_end) / 2 * way +
                  (slope_at_begin - slope_at_end) * way * way / 12;
   };
   next.motion.work +=
@@ -72,10 +80,71 @@ NonlinearTravel<dim>::move(CutBody<dim> &body,
     this->scene.blade.sliding.slice * work_of(&ContactResultants::aside);
   next.motion.unfelt_work += work_of(&ContactResultants::unfelt);
   next.motion.friction_energy += before.friction_work_to(after, begin, travel);
-  const double speed = this->scene.blade.path.speed_to(next.motion.n_stops);
-  if (speed > 0)
-    next.motion.time += std::abs(way) / speed;
   return next;
+}
+
+
+
+template <int dim>
+typename NonlinearTravel<dim>::Position
+NonlinearTravel<dim>::move(CutBody<dim> &body,
+                           const unsigned int row,
+                           const Position &from,
+                           const double travel) const
+{
+  const double speed = this->scene.blade.path.speed_to(from.motion.n_stops);
+  const double way   = std::abs(travel - from.motion.travel);
+  return move(
+    body, row, from, travel, from.motion.time + (speed > 0 ? way / speed : 0));
+}
+
+
+
+template <int dim>
+void
+NonlinearTravel<dim>::stay(CutBody<dim> &body, Position &&position)
+{
+  body.let_time_pass(position.motion.time - here->motion.time);
+  body.accept(position.equilibrium.displacement);
+  here = std::move(position);
+}
+
+
+
+template <int dim>
+void
+NonlinearTravel<dim>::rest(CutBody<dim> &body,
+                           const unsigned int row,
+                           const double duration)
+{
+  // Of the force, what may change in a step.
+  constexpr double most = 0.05, smallest = 1. / 1024;
+  const double travel = here->motion.travel, begin = here->motion.time,
+               end = begin + duration;
+  const auto force = [&](const Position &position) {
+    const auto all = position.equilibrium.path->resultants();
+    return all.edge(travel) + all.flanks(travel);
+  };
+  for (double step = duration; here->motion.time < end;)
+    {
+      // Half of a step is left where that is round-off.
+      const double next_time = here->motion.time + step > end - step / 2
+                                 ? end
+                                 : here->motion.time + step;
+      Position next          = move(body, row, *here, travel, next_time);
+      const double before = force(*here), after = force(next);
+      const double change = std::abs(after - before);
+      const double scale  = std::max(std::abs(before), std::abs(after));
+      if (body.model().materials.is_viscous() && change > most * scale &&
+          step > smallest * duration)
+        {
+          step /= 2;
+          continue;
+        }
+      stay(body, std::move(next));
+      if (change < most / 4 * scale)
+        step *= 2;
+    }
 }
 
 
@@ -88,6 +157,9 @@ NonlinearTravel<dim>::judge(CutBody<dim> &body,
 {
   position.trials.clear();
   position.is_judged = true;
+  body.let_time_pass(position.motion.time - here->motion.time);
+  const AssumedState<dim> assumed(body.model(),
+                                  position.equilibrium.displacement);
   if (!this->scene.yield.compares_energies())
     {
       State<dim> state = this->state(position, row);
@@ -235,25 +307,25 @@ NonlinearTravel<dim>::follow(CutBody<dim> &body,
         {
           judge(body, row, next);
           if (next.yields())
-            next = locate(body, row, std::move(*here), std::move(next));
+            next = locate(body, row, *here, std::move(next));
           else
             length = next_step(*here, next, longest);
         }
-      here = std::move(next);
+      stay(body, std::move(next));
     }
 }
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template double NonlinearTravel<dim>::Position::excess() const;              \
-  template typename NonlinearTravel<dim>::Position NonlinearTravel<dim>::move( \
-    CutBody<dim> &, const unsigned int, const Position &, const double) const; \
-  template void NonlinearTravel<dim>::judge(                                   \
-    CutBody<dim> &, const unsigned int, Position &) const;                     \
-  template double NonlinearTravel<dim>::energy_of_row(                         \
-    CutBody<dim> &, const unsigned int) const;                                 \
-  template void NonlinearTravel<dim>::follow(                                  \
+#define INSTANTIATE(dim)                                          \
+  template double NonlinearTravel<dim>::Position::excess() const; \
+  template void NonlinearTravel<dim>::rest(                       \
+    CutBody<dim> &, const unsigned int, const double);            \
+  template void NonlinearTravel<dim>::judge(                      \
+    CutBody<dim> &, const unsigned int, Position &) const;        \
+  template double NonlinearTravel<dim>::energy_of_row(            \
+    CutBody<dim> &, const unsigned int) const;                    \
+  template void NonlinearTravel<dim>::follow(                     \
     CutBody<dim> &, const unsigned int, const double);
 
 INSTANTIATE(2)

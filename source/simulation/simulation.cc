@@ -91,6 +91,8 @@ void
 Simulation<dim>::make_cuts()
 {
   bool goes_on = true;
+  body.set_load_factor(
+    scene.time.load_factor(checkpoint ? scene.time.duration() : 0));
   if (checkpoint)
     goes_on = resume();
   else
@@ -98,6 +100,8 @@ Simulation<dim>::make_cuts()
       rest();
       if (body.board())
         lie();
+      if (scene.time.passes())
+        pass_time();
     }
   if (scene.cut.cuts.empty())
     deform_only();
@@ -150,7 +154,10 @@ Simulation<dim>::make_cut_from(const unsigned int first_row)
           continue;
         }
       if (row > first_row)
-        deform(row);
+        {
+          move_front(row);
+          deform(row);
+        }
       while (!state.yields && drive->moves_on(state))
         deform(row);
       if (!row_yields(row))

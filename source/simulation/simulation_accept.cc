@@ -56,8 +56,10 @@ Simulation<dim>::accept(State<dim> &&new_state,
         {error.energy.relative_energy, error.cutting_stress}};
       new_state.error_squares = error.energy.squares;
     }
-  // Each split can only lower it, as long as the law is the same.
-  if (event.released_rows > 0 && !changes)
+  // Each split can only lower it, as long as the law is the same, and no time
+  // passes.
+  if (event.released_rows > 0 && !changes &&
+      body.model().internal.time_step() == 0)
     check_energy_of_split(body, state, new_state);
   body.accept();
   state = std::move(new_state);

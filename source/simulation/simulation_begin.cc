@@ -24,6 +24,10 @@ Simulation<dim>::rest()
     event.board_force = 0;
   if (scene.material.is_plastic())
     event.plastic_energy = 0;
+  if (scene.material.is_viscous())
+    event.viscous_energy = 0;
+  if (scene.has_time() && !scene.blade.travels)
+    event.time = 0;
   results.record("rest", event);
   results.write_state(body, state, event, true);
 }
@@ -60,8 +64,8 @@ Simulation<dim>::deform_only()
     results.progress.warn(
       "there is no Cut/Surfaces and so no edge for Blade/Edge loads to act on: "
       "the blade is left out.");
-  // On a board it has been deformed already.
-  if (body.board())
+  // On a board, or for a time, it has been deformed already.
+  if (body.board() || scene.time.passes())
     return;
   const auto deformed = [&] { return solve(no_blade(body.model()), 0); };
   accept(deformed(), deformed);

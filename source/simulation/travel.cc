@@ -20,13 +20,13 @@ goal_of_travel(const CutBody<dim> &body, const BladeMotion &motion)
 
 
 
-void
-reach_stop(const BladePath &way, BladeMotion &motion)
+double
+duration_of_rest(const BladePath &way, const BladeMotion &motion)
 {
-  // Where it rests time passes, too.
-  if (way.begin_of(motion.n_stops) == motion.travel)
-    motion.time += way.stops[motion.n_stops].duration;
-  ++motion.n_stops;
+  const bool rests = motion.n_stops < way.stops.size() &&
+                     way.stops[motion.n_stops].position == motion.travel &&
+                     way.begin_of(motion.n_stops) == motion.travel;
+  return rests ? way.stops[motion.n_stops].duration : 0;
 }
 
 

@@ -5,40 +5,17 @@
 
 #include <setsudan/material/j2_plasticity.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "../test_setup.h"
+#include "law_at_point.h"
 
 using namespace Setsudan;
 using namespace dealii;
 
 // MPa.
 constexpr double E = 250e3, nu = 0.25, yield_stress = 5;
-
-
-MaterialResponse
-evaluate(const ConstitutiveLaw &law,
-         const Tensor<2, 3> &gradient,
-         const std::vector<double> &before,
-         std::vector<double> &after)
-{
-  after.resize(before.size());
-  return law.evaluate(
-    gradient, {{before.data(), before.size()}, {after.data(), after.size()}});
-}
-
-
-std::vector<double>
-at_rest(const ConstitutiveLaw &law)
-{
-  std::vector<double> internal(law.n_internal());
-  law.initialize({internal.data(), internal.size()});
-  return internal;
-}
 
 
 void
@@ -140,53 +117,6 @@ test_bar(const Hardening &hardening)
 }
 
 
-void
-test_derivatives(const Hardening &hardening)
-{
-  const J2Plasticity law(Hooke(5, 0.3), 1, hardening);
-  Tensor<2, 3> earlier, now;
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 3; ++j)
-      {
-        earlier[i][j] = 0.4 * std::sin(1 + 3 * i + 7 * j);
-        now[i][j]     = 0.7 * std::cos(2 + 5 * i + 2 * j);
-      }
-  std::vector<double> before, after;
-  evaluate(law, earlier, at_rest(law), before);
-  const auto response   = evaluate(law, now, before, after);
-  constexpr double step = 1e-5;
-  double of_energy = 0, of_stress = 0, asymmetry = 0;
-  for (unsigned int k = 0; k < 3; ++k)
-    for (unsigned int l = 0; l < 3; ++l)
-      {
-        Tensor<2, 3> change;
-        change[k][l]      = step;
-        const auto behind = evaluate(law, now - change, before, after);
-        const auto ahead  = evaluate(law, now + change, before, after);
-        of_energy =
-          std::max(of_energy,
-                   std::abs((ahead.energy.potential - behind.energy.potential) /
-                              (2 * step) -
-                            response.stress[k][l]));
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int j = 0; j < 3; ++j)
-            {
-              of_stress =
-                std::max(of_stress,
-                         std::abs((ahead.stress[i][j] - behind.stress[i][j]) /
-                                    (2 * step) -
-                                  response.tangent[i][j][k][l]));
-              asymmetry = std::max(asymmetry,
-                                   std::abs(response.tangent[i][j][k][l] -
-                                            response.tangent[k][l][i][j]));
-            }
-      }
-  check_below("stress: derivative of the energy", of_energy, 1e-8);
-  check_below("tangent: derivative of the stress", of_stress, 1e-8);
-  check_below("  is symmetric", asymmetry, 1e-14);
-}
-
-
 int
 main(int argc, char **argv)
 {
@@ -215,6 +145,6 @@ main(int argc, char **argv)
          {Hardening{0.2 * E, 0}, Hardening{0, 0.2 * E}, Hardening{2e4, 1e4}})
       test_bar(hardening);
     for (const Hardening &hardening : {Hardening(), Hardening{0.7, 0.4}})
-      test_derivatives(hardening);
+      test_derivatives(J2Plasticity(Hooke(5, 0.3), 1, hardening));
   });
 }

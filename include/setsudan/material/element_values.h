@@ -5,6 +5,7 @@
 #include <setsudan/parameters/parameters.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Setsudan
@@ -39,6 +40,19 @@ read_lists(const Parameters &parameters,
            const std::string &kind,
            const unsigned int n_numbers,
            bool (*is_allowed)(double));
+
+/** The same of pairs of numbers 'first : second', separated by ','; they may be
+ * none.
+ *
+ * @param kind what a pair is, in words. */
+template <int dim>
+ElementValues<std::vector<std::pair<double, double>>>
+read_pairs(const Parameters &parameters,
+           const Body<dim> &body,
+           const std::string &name,
+           const std::string &kind,
+           const std::string &allowed,
+           bool (*is_allowed)(const std::pair<double, double> &));
 
 /** The same of names.
  *

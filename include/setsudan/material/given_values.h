@@ -2,6 +2,7 @@
 #pragma once
 
 #include <setsudan/material/element_values.h>
+#include <setsudan/material/viscoelasticity.h>
 
 #include <string>
 #include <tuple>
@@ -16,13 +17,16 @@ class GivenValues
 {
 public:
   /** Young's modulus, Poisson's ratio, shear limit, toughness, yield stress,
-   * its isotropic and kinematic hardening, and the law. */
+   * its isotropic and kinematic hardening, how shear and bulk modulus relax,
+   * and the law. */
   using OfElement = std::tuple<double,
                                double,
                                double,
                                double,
                                double,
                                std::vector<double>,
+                               Relaxation::Terms,
+                               Relaxation::Terms,
                                std::string>;
 
   /** @throw SceneError for a value that no material has, or a group of elements
@@ -39,6 +43,7 @@ public:
 private:
   ElementValues<double> moduli, ratios, limits, toughnesses, yield_stresses;
   ElementValues<std::vector<double>> hardenings;
+  ElementValues<Relaxation::Terms> shear_terms, bulk_terms;
   ElementValues<std::string> names;
 };
 } // namespace Setsudan

@@ -85,6 +85,10 @@ public:
   bool
   is_plastic() const;
 
+  /** Whether the stress of any depends on time. */
+  bool
+  is_viscous() const;
+
   /** Whether the law of any has internal variables. */
   bool
   has_internal_variables() const;

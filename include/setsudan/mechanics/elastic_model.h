@@ -40,6 +40,18 @@ struct ElasticModel
   bool
   is_linear() const;
 
+  /** Let loads and what supports prescribe be so many times those of the scene.
+   */
+  void
+  set_load_factor(const double factor);
+
+  /** See set_load_factor(). */
+  double
+  load_factor() const
+  {
+    return factor_of_loads;
+  }
+
   const MaterialParameters<dim> &materials;
   const LoadParameters<dim> &load_parameters;
   Discretization<dim> discretization;
@@ -67,6 +79,9 @@ private:
   constrain_supports(const Supports<dim> &supports_of_body);
 
   mutable std::unique_ptr<CellBatches<dim>> cell_batches;
+  double factor_of_loads = 1;
+  /** Those of the scene; empty where the factor has always been 1. */
+  LA::Vector loads_of_scene, lift_of_scene;
 };
 
 /** What the elements do in a state. */

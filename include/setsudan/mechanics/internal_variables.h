@@ -44,13 +44,40 @@ public:
   void
   set_time_step(const double duration)
   {
-    time_step = duration;
+    step = duration;
+  }
+
+  double
+  time_step() const
+  {
+    return step;
   }
 
   /** Let the state that was solved for be the last accepted one; no time passes
    * behind it until a step is set. */
   void
   accept();
+
+  /** The last accepted state, and how much time passes behind it. */
+  struct Snapshot
+  {
+    std::vector<double> accepted;
+    double time_step = 0;
+  };
+
+  Snapshot
+  save() const
+  {
+    return {accepted, step};
+  }
+
+  void
+  restore(const Snapshot &snapshot)
+  {
+    accepted = snapshot.accepted;
+    trial    = accepted;
+    step     = snapshot.time_step;
+  }
 
   /** Those of the last accepted state, by the cells' names. */
   CellData
@@ -70,6 +97,6 @@ private:
   /** For each cell where its variables begin, and how many a point has. */
   std::vector<unsigned int> begin, n_of_point;
   std::vector<double> accepted, trial;
-  double time_step = 0;
+  double step = 0;
 };
 } // namespace Setsudan

@@ -218,12 +218,37 @@ public:
   void
   take_finite_strain();
 
-  /** Let the internal variables be those of the state that was solved for. */
+  /** Let the internal variables be those of the state that was evaluated last.
+   */
   void
   accept()
   {
     present_model->internal.accept();
   }
+
+  /** Let them be those of a state that was solved for.
+   *
+   * @param displacement of it, without ghosts. */
+  void
+  accept(const LA::Vector &displacement)
+  {
+    if (present_model->internal.empty())
+      return;
+    evaluate_laws(*present_model, displacement);
+    accept();
+  }
+
+  /** Let the states that are solved for be so much later than the last accepted
+   * one [time]. */
+  void
+  let_time_pass(const double duration)
+  {
+    present_model->internal.set_time_step(duration);
+  }
+
+  /** See ElasticModel. */
+  void
+  set_load_factor(const double factor);
 
   /** Take the internal variables of an earlier run. */
   void
@@ -338,6 +363,7 @@ private:
   std::vector<EntryHat<dim>> present_entry_hats;
   SolverSelection<dim> selection;
   bool has_single_states = false;
+  double load_factor     = 1;
 
   std::vector<BegunCut> begun_cuts;
   /** The pairs of the cuts before the newest one, which are free. */

@@ -74,12 +74,30 @@ private:
   void
   begin(CutBody<dim> &body, const unsigned int row, const State<dim> &from);
 
-  /** Move the blade on. */
+  /** Move the blade on.
+   *
+   * @param time when it is there. */
+  Position
+  move(CutBody<dim> &body,
+       const unsigned int row,
+       const Position &from,
+       const double travel,
+       const double time) const;
+
+  /** The same with the blade's speed. */
   Position
   move(CutBody<dim> &body,
        const unsigned int row,
        const Position &from,
        const double travel) const;
+
+  /** Let the body be somewhere from now on. */
+  void
+  stay(CutBody<dim> &body, Position &&position);
+
+  /** Let time pass while the blade rests. */
+  void
+  rest(CutBody<dim> &body, const unsigned int row, const double duration);
 
   /** What is left of the energy for new surface, and for an excess. */
   double
@@ -137,6 +155,7 @@ private:
 
   const std::unique_ptr<SplitSearch<dim>> search;
   std::unique_ptr<NonlinearContact<dim>> contact;
+  /** Whose internal variables have been accepted. */
   std::optional<Position> here;
 };
 } // namespace Setsudan

@@ -13,6 +13,7 @@
 #include <setsudan/mechanics/loads.h>
 #include <setsudan/output/output_directory.h>
 #include <setsudan/simulation/accuracy/accuracy_parameters.h>
+#include <setsudan/simulation/time_parameters.h>
 #include <setsudan/solver/solver_parameters.h>
 
 #include <memory>
@@ -51,6 +52,13 @@ struct Scene
            division.split_rows == DivisionParameters::SplitRows::wedged;
   }
 
+  /** Whether the time matters in which the body is deformed, and is known. */
+  bool
+  has_time() const
+  {
+    return time.passes() || (material.is_viscous() && blade.path.has_times());
+  }
+
   /** Whether the nodes of a cut are duplicated before its first row is asked
    * whether it yields. */
   bool
@@ -66,6 +74,7 @@ struct Scene
   const Supports<dim> supports;
   const LoadParameters<dim> loads;
   const RateLaw rate;
+  const TimeParameters time;
   const BladeParameters<dim> blade;
   /** As the blade finds it. Not const: a program of one's own may give a
    * material another law. */

@@ -75,6 +75,30 @@ private:
   void
   deform_only();
 
+  /** Let loads and supports act for the times of the scene, before the blade
+   * comes. */
+  void
+  pass_time();
+
+  /** Take a state at a later time; the answer is whether its error allows that.
+   *
+   * @param error that is estimated for it, if any is. */
+  bool
+  try_step(const double begin, const double end, std::optional<double> &error);
+
+  /** The body under its loads at a later time. */
+  State<dim>
+  state_after(const double begin, const double end);
+
+  /** Note what time it is. */
+  void
+  set_time(const double time);
+
+  /** Let the time pass in which the front of a cut under given forces goes to a
+   * row. */
+  void
+  move_front(const unsigned int row);
+
   /** Whether there is anything to cut. */
   bool
   begin_cut(const unsigned int cut);

@@ -12,9 +12,9 @@ template <int dim>
 double
 goal_of_travel(const CutBody<dim> &body, const BladeMotion &motion);
 
-/** Go on from the stop where the blade is. */
-void
-reach_stop(const BladePath &way, BladeMotion &motion);
+/** How long the blade rests where it is before it goes on; 0 if it does not. */
+double
+duration_of_rest(const BladePath &way, const BladeMotion &motion);
 
 /** Take the forces of a contact where the blade is. */
 template <int dim>

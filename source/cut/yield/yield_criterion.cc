@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/cut/yield/yield_criterion.h>
+#include <setsudan/mechanics/assumed_state.h>
 
 #include <algorithm>
 #include <array>
@@ -195,6 +196,7 @@ private:
                 const LinearResponse &tied,
                 SolveQuality &quality)
   {
+    const AssumedState<dim> assumed(model, tied.displacement);
     const auto [released, forces] =
       solve_released(solver, advance, tied, quality);
     const auto potential = [&](const LA::Vector &displacement,
@@ -203,9 +205,8 @@ private:
       return of_laws.energy.potential + of_laws.potential_of_pressure -
              under * displacement;
     };
-    const double after = potential(released.displacement, forces);
-    // Last, since it sets the internal variables.
-    return potential(tied.displacement, tied.forces) - after +
+    return potential(tied.displacement, tied.forces) -
+           potential(released.displacement, forces) +
            tied.blade_factor * advance.work;
   }
 

@@ -124,6 +124,10 @@ column(const std::string &name,
           }};
 }
 
+const char *const meaning_of_time =
+  "The time since the run began, in the unit of Blade/Speed and Time/Steps; 0 "
+  "where these are not given.";
+
 /** Where a blade that travels is, and its forces. */
 void
 add_motion(std::vector<StatisticsColumn> &columns)
@@ -137,12 +141,7 @@ add_motion(std::vector<StatisticsColumn> &columns)
     "How far the edge is behind the entry of the cut; these columns are there "
     "with Blade/Drive = travel.",
     &BladeMotion::travel);
-  add(
-    "time",
-    "s",
-    "The time of the travel since the run began, in the unit of Blade/Speed; 0 "
-    "where that is not given.",
-    &BladeMotion::time);
+  add("time", "s", meaning_of_time, &BladeMotion::time);
   columns.push_back(
     column("mean_force",
            "F",
@@ -311,6 +310,19 @@ statistics_columns(const Event &event)
        [](const Event &event) {
          return digits_of(*event.plastic_energy, all_digits);
        }});
+  if (event.viscous_energy)
+    columns.push_back(
+      {"viscous_energy",
+       "F L",
+       "What viscosity has turned into heat since the run began; with "
+       "Material/Viscous.",
+       [](const Event &event) {
+         return digits_of(*event.viscous_energy, all_digits);
+       }});
+  if (event.time)
+    columns.push_back({"time", "s", meaning_of_time, [](const Event &event) {
+                         return digits_of(*event.time, all_digits);
+                       }});
   columns.push_back(column("overlap",
                            "L",
                            "How far the walls of cuts have moved through each "
@@ -361,6 +373,7 @@ document_columns(std::ostream &out)
   all.motion         = BladeMotion();
   all.board_force    = 0;
   all.plastic_energy = 0;
+  all.viscous_energy = 0;
   std::set<std::string> written;
   for (const Event &event : {Event(), all})
     for (const auto &column : statistics_columns(event))

@@ -16,7 +16,7 @@ struct Event
 {
   /** The solved state that the line describes, counted from 0. */
   unsigned int frame = 0;
-  /** rest, deform, travel, yield, release, arrest or divide. */
+  /** rest, deform, time, travel, yield, release, arrest or divide. */
   std::string name = "rest";
   unsigned int cut = 0;
   unsigned int row = 0;
@@ -54,9 +54,12 @@ struct Event
   /** The force of the board on the body along its normal: in all events of a
    * run, or in none. */
   std::optional<double> board_force;
-  /** What plastic flow has taken since the run began: in all events of a run,
-   * or in none. */
-  std::optional<double> plastic_energy;
+  /** What plastic flow has taken since the run began, and viscosity: in all
+   * events of a run, or in none. */
+  std::optional<double> plastic_energy, viscous_energy;
+  /** Since the run began, where no blade travels: in all events of a run, or in
+   * none. */
+  std::optional<double> time;
   /** How far the walls of cuts have moved through each other. */
   double overlap = 0;
   /** The force that keeps split rows the blade's thickness apart, and the part
@@ -82,16 +85,15 @@ struct Event
     archive &has_errors &values;
     if (has_errors)
       errors = values;
-    bool has_board = board_force.has_value();
-    double carried = board_force.value_or(0);
-    archive &has_board &carried;
-    if (has_board)
-      board_force = carried;
-    bool is_plastic = plastic_energy.has_value();
-    double taken    = plastic_energy.value_or(0);
-    archive &is_plastic &taken;
-    if (is_plastic)
-      plastic_energy = taken;
+    for (auto *const value :
+         {&board_force, &plastic_energy, &viscous_energy, &time})
+      {
+        bool is_there = value->has_value();
+        double number = value->value_or(0);
+        archive &is_there &number;
+        if (is_there)
+          *value = number;
+      }
     bool has_motion    = motion.has_value();
     BladeMotion moving = motion.value_or(BladeMotion());
     archive &has_motion &moving &mean_force;
