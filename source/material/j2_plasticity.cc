@@ -70,8 +70,9 @@ J2Plasticity::respond(const SymmetricTensor<2, 3> &strain,
   const double excess =
     size - std::sqrt(2. / 3) *
              (yield_stress + hardening.isotropic * std::max(accumulated, 0.));
-  tangent         = 2 * mu * Unit::S;
-  response.lambda = hooke.lambda;
+  tangent              = 2 * mu * Unit::S;
+  response.mean_stress = hooke.lambda * dilatation;
+  response.lambda      = hooke.lambda;
   if (excess > round_off * yield_stress)
     {
       const double resistance =

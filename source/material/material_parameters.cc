@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/material/given_values.h>
 #include <setsudan/material/j2_plasticity.h>
+#include <setsudan/material/logarithmic_strain.h>
 #include <setsudan/material/material_parameters.h>
 #include <setsudan/material/presets.h>
 #include <setsudan/material/small_strain_law.h>
@@ -138,8 +139,9 @@ make_law(const Parameters &parameters,
 namespace
 {
 /** The law of a material that remembers. */
-std::shared_ptr<const SmallStrainLaw>
-with_memory(const Hooke &at_once,
+std::shared_ptr<const ConstitutiveLaw>
+with_memory(const LawParameters::Strain strain,
+            const Hooke &at_once,
             const Hooke &lasting,
             const double yield_stress,
             const Hardening &hardening,
@@ -153,7 +155,9 @@ with_memory(const Hooke &at_once,
     law = std::make_shared<const LinearElasticity>(lasting);
   if (!relaxation.empty())
     law = std::make_shared<const Viscoelasticity>(law, at_once, relaxation);
-  return law;
+  if (strain == LawParameters::Strain::small)
+    return law;
+  return std::make_shared<const LogarithmicStrain>(law);
 }
 } // namespace
 
@@ -207,8 +211,17 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
           const bool mixed =
             is_mixed(std::max(ratio, lasting.poissons_ratio()));
           auto law = make_law(parameters, laws, name, at_rest, mixed);
-          if (yield > 0 || !relaxation.empty())
-            law = with_memory(at_rest,
+          const bool remembers = yield > 0 || !relaxation.empty();
+          parameters.require(!remembers || name == "auto" ||
+                               laws.strain == LawParameters::Strain::small,
+                             "Material",
+                             "Law",
+                             "auto for materials with Material/Yield stress or "
+                             "Material/Viscous, which is the law of small "
+                             "strain for logarithmic strain");
+          if (remembers)
+            law = with_memory(laws.strain,
+                              at_rest,
                               lasting,
                               yield,
                               {hardening[0], hardening[1]},
@@ -220,11 +233,11 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
   if (materials.size() == 1)
     material_of_element.clear();
   parameters.require(!has_internal_variables() ||
-                       strain == LawParameters::Strain::small,
+                       strain != LawParameters::Strain::automatic,
                      "Deformation",
                      "Strain",
-                     "small where Material/Yield stress or Material/Viscous is "
-                     "given");
+                     "small or finite where Material/Yield stress or "
+                     "Material/Viscous is given");
   parameters.require(is_plastic() || !hardens,
                      "Material",
                      "Hardening",

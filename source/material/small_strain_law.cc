@@ -35,6 +35,7 @@ LinearElasticity::respond(const SymmetricTensor<2, 3> &strain,
 {
   return {hooke.stress(strain, dilatation),
           2 * hooke.mu * Physics::Elasticity::StandardTensors<3>::S,
+          hooke.lambda * dilatation,
           hooke.lambda,
           Energy::elastic(hooke.lambda / 2 * dilatation * dilatation +
                           hooke.mu * (strain * strain))};

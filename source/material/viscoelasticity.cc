@@ -177,6 +177,7 @@ Viscoelasticity::respond(const SymmetricTensor<2, 3> &strain,
                                                      unit_symmetric_tensor<3>();
       response.tangent +=
         2 * mu * decay.gained * Physics::Elasticity::StandardTensors<3>::S;
+      response.mean_stress += lambda * elastic.dilatation;
       response.lambda += lambda * decay.gained;
       const double stored = product(lambda, mu, elastic, elastic) / 2;
       response.energy.stored += stored;

@@ -66,7 +66,7 @@ Dilatation<dim>::operator()(const Cell &cell,
   fe_values.reinit(cell);
   const auto fit        = dilatation_fit(type, fe_values);
   const auto *const law = material.law->hyperelastic();
-  if (law == nullptr)
+  if (law == nullptr && material.law->logarithmic() == nullptr)
     {
       fe_values[components].get_function_divergences(displacement, divergences);
       return fit(divergences);
@@ -75,6 +75,8 @@ Dilatation<dim>::operator()(const Cell &cell,
   std::vector<double> volumes;
   for (const auto &gradient : gradients)
     volumes.push_back(determinant(gradient + unit_symmetric_tensor<dim>()));
+  if (law == nullptr)
+    return fit(volumes);
   const MixedCell<dim> mixed(
     *law->decoupled(), fit, fe_values.get_quadrature_points(), volumes);
   return mixed.mean_stress;

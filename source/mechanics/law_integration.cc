@@ -220,6 +220,50 @@ LawIntegration<dim>::respond_mixed(const SmallStrainLaw &law,
 
 
 template <int dim>
+std::vector<MaterialResponse>
+LawIntegration<dim>::respond_mixed(const LogarithmicStrain &law,
+                                   const unsigned int c,
+                                   const Gradients &gradients,
+                                   std::vector<double> &stiffness) const
+{
+  const auto &points = fe_values.get_quadrature_points();
+  const auto fit     = dilatation_fit(discretization.type, fe_values);
+  const auto J       = volumes(gradients);
+  const auto theta   = fit(J);
+  std::vector<LogarithmicStrain::Response> of_law;
+  std::vector<double> mean_stresses;
+  for (unsigned int q = 0; q < gradients.size(); ++q)
+    {
+      const double volume = theta(points[q]);
+      if (!(J[q] > 0) || !(volume > 0))
+        return not_valid();
+      const Tensor<2, 3> F = deformation(gradients[q]);
+      of_law.push_back(law.respond(
+        symmetrize(transpose(F) * F), volume, internal.history(c, q)));
+      mean_stresses.push_back(of_law.back().mean_stress);
+      stiffness.push_back(of_law.back().stiffness);
+    }
+  const auto mean_stress = fit(mean_stresses);
+  std::vector<MaterialResponse> responses;
+  for (unsigned int q = 0; q < gradients.size(); ++q)
+    {
+      const Tensor<2, 3> F = deformation(gradients[q]);
+      StrainEnergy &all    = of_law[q].distortion;
+      add_pressure(mean_stress(points[q]),
+                   0,
+                   J[q],
+                   invert(symmetrize(transpose(F) * F)),
+                   all);
+      responses.push_back({F * all.stress,
+                           tangent_in_gradient(F, all.stress, all.tangent),
+                           of_law[q].energy});
+    }
+  return responses;
+}
+
+
+
+template <int dim>
 void
 LawIntegration<dim>::add_volume_stiffness(const Gradients &gradients,
                                           const std::vector<double> &stiffness)
@@ -269,6 +313,8 @@ LawIntegration<dim>::evaluate(const Cell &cell,
     material.is_mixed && elastic != nullptr ? elastic->decoupled() : nullptr;
   const auto *const small =
     material.is_mixed ? material.law->small_strain() : nullptr;
+  const auto *const logarithmic =
+    material.is_mixed ? material.law->logarithmic() : nullptr;
   fe_values.reinit(cell);
   forces         = 0;
   tangent        = 0;
@@ -283,6 +329,8 @@ LawIntegration<dim>::evaluate(const Cell &cell,
   const unsigned int c = cell->active_cell_index();
   if (decoupled != nullptr)
     responses = respond_mixed(*decoupled, gradients, from, stiffness);
+  else if (logarithmic != nullptr)
+    responses = respond_mixed(*logarithmic, c, gradients, stiffness);
   else if (small != nullptr)
     {
       responses = respond_mixed(*small, c, gradients, stiffness);

@@ -13,7 +13,8 @@ template <int dim>
 SymmetricTensor<2, dim>
 strain_of(const Material &material, const Tensor<2, dim> &gradient)
 {
-  if (material.law->hyperelastic() == nullptr)
+  if (material.law->hyperelastic() == nullptr &&
+      material.law->logarithmic() == nullptr)
     return symmetrize(gradient);
   const Tensor<2, dim> F = gradient + unit_symmetric_tensor<dim>();
   SymmetricTensor<2, dim> strain;

@@ -43,22 +43,14 @@ at_rest(const ConstitutiveLaw &law)
 }
 
 
-/** In a state that many laws reach by flowing, from an earlier one. */
+/** Of the energy at a displacement gradient. */
 inline void
-test_derivatives(const ConstitutiveLaw &law,
-                 const double time_step = 0,
-                 const double size      = 1)
+test_derivatives_at(const Tensor<2, 3> &now,
+                    const ConstitutiveLaw &law,
+                    const std::vector<double> &before,
+                    const double time_step = 0)
 {
-  Tensor<2, 3> earlier, now;
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 3; ++j)
-      {
-        earlier[i][j] = 0.4 * std::sin(1 + 3 * i + 7 * j);
-        now[i][j]     = 0.7 * std::cos(2 + 5 * i + 2 * j);
-      }
-  std::vector<double> before, after;
-  evaluate(law, size * earlier, at_rest(law), before, time_step);
-  now *= size;
+  std::vector<double> after;
   const auto response   = evaluate(law, now, before, after, time_step);
   constexpr double step = 1e-5;
   double of_energy = 0, of_stress = 0, asymmetry = 0;
@@ -91,6 +83,25 @@ test_derivatives(const ConstitutiveLaw &law,
       }
   check_below("stress: derivative of the energy", of_energy, 1e-8);
   check_below("tangent: derivative of the stress", of_stress, 1e-8);
-  check_below("  is symmetric", asymmetry, 1e-14);
+  check_below("  is symmetric", asymmetry, 1e-13);
+}
+
+
+/** In a state that many laws reach by flowing, from an earlier one. */
+inline void
+test_derivatives(const ConstitutiveLaw &law,
+                 const double time_step = 0,
+                 const double size      = 1)
+{
+  Tensor<2, 3> earlier, now;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        earlier[i][j] = 0.4 * std::sin(1 + 3 * i + 7 * j);
+        now[i][j]     = 0.7 * std::cos(2 + 5 * i + 2 * j);
+      }
+  std::vector<double> before;
+  evaluate(law, size * earlier, at_rest(law), before, time_step);
+  test_derivatives_at(size * now, law, before, time_step);
 }
 } // namespace Setsudan

@@ -11,6 +11,7 @@ namespace Setsudan
 {
 class Hooke;
 class HyperelasticLaw;
+class LogarithmicStrain;
 class SmallStrainLaw;
 
 /** What becomes of the work that is done on a material, per volume at rest
@@ -105,6 +106,13 @@ public:
   /** This, if it is a law of finite strain that has an energy; or null. */
   virtual const HyperelasticLaw *
   hyperelastic() const
+  {
+    return nullptr;
+  }
+
+  /** This, if it is a law between logarithmic strain and stress; or null. */
+  virtual const LogarithmicStrain *
+  logarithmic() const
   {
     return nullptr;
   }

@@ -16,9 +16,10 @@ struct SmallStrainResponse
   /** Its derivative by the strain while the change of volume stays
    * [force/area]. */
   dealii::SymmetricTensor<4, 3> tangent;
-  /** The derivative of its mean stress by the change of volume while the strain
-   * stays; its other components have none [force/area]. */
-  double lambda = 0;
+  /** The part of it, along the unit tensor, that the change of volume gives
+   * while the strain stays; and its derivative by that [force/area]. */
+  double mean_stress = 0;
+  double lambda      = 0;
   Energy energy;
 };
 

@@ -39,8 +39,9 @@ public:
 
   explicit Dilatation(const Discretization<dim> &discretization);
 
-  /** What stress_of() needs of a cell of a mixed material: its dilatation, or
-   * with finite strain the mean Cauchy stress (see MixedCell).
+  /** What the stress of a cell of a mixed material depends on besides its
+   * strain: its dilatation; with a hyperelastic law the mean Cauchy stress (see
+   * MixedCell); with one of logarithmic strain the volume.
    *
    * @param displacement with ghosts. */
   LinearFunction<dim>

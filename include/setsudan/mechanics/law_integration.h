@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/material/small_strain_law.h>
+#include <setsudan/material/logarithmic_strain.h>
 #include <setsudan/mechanics/internal_variables.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -82,6 +82,14 @@ private:
   respond_mixed(const DecoupledLaw &law,
                 const Gradients &gradients,
                 const Gradients *before,
+                std::vector<double> &stiffness) const;
+
+  /** The same of a law of logarithmic strain, with the volume that MixedCell
+   * projects. */
+  std::vector<MaterialResponse>
+  respond_mixed(const LogarithmicStrain &law,
+                const unsigned int cell,
+                const Gradients &gradients,
                 std::vector<double> &stiffness) const;
 
   /** The same of a law of small strain, with the change of volume that

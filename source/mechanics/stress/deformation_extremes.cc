@@ -232,7 +232,8 @@ has_local_stress(const ElasticModel<dim> &model)
 {
   return model.discretization.type != ElementType::linear &&
          (model.is_linear() ||
-          (model.materials.finite_strain && !model.materials.any_is_mixed()));
+          (model.materials.finite_strain && !model.materials.any_is_mixed() &&
+           model.internal.empty()));
 }
 } // namespace
 

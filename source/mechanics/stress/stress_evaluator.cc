@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/quadrature_lib.h>
 
-#include <setsudan/material/small_strain_law.h>
+#include <setsudan/material/logarithmic_strain.h>
 #include <setsudan/mechanics/strain_and_stress.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
+
+#include <limits>
+#include <optional>
 
 namespace Setsudan
 {
@@ -184,6 +187,28 @@ StressEvaluator<dim>::stress(const unsigned int p) const
 
 
 
+namespace
+{
+/** @param volume that is projected, of a mixed material. */
+SymmetricTensor<2, 3>
+cauchy_stress(const LogarithmicStrain &law,
+              const Tensor<2, 3> &gradient,
+              const History &history,
+              const std::optional<double> &volume)
+{
+  const Tensor<2, 3> F = gradient + unit_symmetric_tensor<3>();
+  const double J       = determinant(F);
+  if (!(J > 0) || (volume && !(*volume > 0)))
+    return std::numeric_limits<double>::quiet_NaN() *
+           unit_symmetric_tensor<3>();
+  const auto response =
+    law.respond(symmetrize(transpose(F) * F), volume.value_or(J), history);
+  return symmetrize(F * response.distortion.stress * transpose(F)) / J +
+         response.mean_stress * unit_symmetric_tensor<3>();
+}
+} // namespace
+
+
 template <int dim>
 SymmetricTensor<2, 3>
 StressEvaluator<dim>::stress_with_memory(const unsigned int p) const
@@ -201,6 +226,12 @@ StressEvaluator<dim>::stress_with_memory(const unsigned int p) const
   const Tensor<2, 3> in_space = Setsudan::in_space(gradient(p));
   const History history{{before.data(), before.size()},
                         {after.data(), after.size()}};
+  if (const auto *const law = material->law->logarithmic())
+    return cauchy_stress(*law,
+                         in_space,
+                         history,
+                         projected ? (*projected)(point(p))
+                                   : std::optional<double>());
   if (projected)
     return material->law->small_strain()
       ->respond(symmetrize(in_space), (*projected)(point(p)), history)
