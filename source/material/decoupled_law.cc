@@ -34,7 +34,8 @@ DecoupledLaw::at(const SymmetricTensor<2, 3> &C) const
 
 
 StrainEnergy
-DecoupledLaw::distortion(const SymmetricTensor<2, 3> &C) const
+DecoupledLaw::distortion(const SymmetricTensor<2, 3> &C,
+                         const bool needs_tangent) const
 {
   const double factor                 = std::pow(determinant(C), -1. / 3);
   const SymmetricTensor<2, 3> inverse = invert(C);
@@ -42,9 +43,11 @@ DecoupledLaw::distortion(const SymmetricTensor<2, 3> &C) const
 
   // dC'/dC = J^-2/3 P^T, with P = 1 - C^-1 (x) C / 3.
   StrainEnergy energy;
-  energy.value            = free.value;
-  const double along      = free.stress * C;
-  energy.stress           = factor * (free.stress - along / 3 * inverse);
+  energy.value       = free.value;
+  const double along = free.stress * C;
+  energy.stress      = factor * (free.stress - along / 3 * inverse);
+  if (!needs_tangent)
+    return energy;
   const auto tangent_of_C = free.tangent * C;
   energy.tangent          = factor * factor * free.tangent;
   // The rest is that of a pressure p of J^-2/3 times C^-1,

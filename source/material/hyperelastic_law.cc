@@ -69,15 +69,18 @@ VolumetricEnergy::second_derivative(const double J) const
 
 
 MaterialResponse
-HyperelasticLaw::evaluate(const Tensor<2, 3> &gradient, const History &) const
+HyperelasticLaw::evaluate(const Tensor<2, 3> &gradient,
+                          const History &,
+                          const bool needs_tangent) const
 {
-  return respond(gradient);
+  return respond(gradient, needs_tangent);
 }
 
 
 
 MaterialResponse
-HyperelasticLaw::respond(const Tensor<2, 3> &gradient) const
+HyperelasticLaw::respond(const Tensor<2, 3> &gradient,
+                         const bool needs_tangent) const
 {
   const Tensor<2, 3> F = gradient + unit_symmetric_tensor<3>();
   MaterialResponse response;
@@ -89,7 +92,8 @@ HyperelasticLaw::respond(const Tensor<2, 3> &gradient) const
   const StrainEnergy energy = at(symmetrize(transpose(F) * F));
   response.energy           = Energy::elastic(energy.value);
   response.stress           = F * energy.stress;
-  response.tangent = tangent_in_gradient(F, energy.stress, energy.tangent);
+  if (needs_tangent)
+    response.tangent = tangent_in_gradient(F, energy.stress, energy.tangent);
   return response;
 }
 

@@ -70,10 +70,6 @@ public:
           outer_product(pairs[row[i]].second, pairs[column[i]].second));
         first[i] = divided_difference(square(row[i]), square(column[i]));
       }
-    for (unsigned int a = 0; a < 3; ++a)
-      for (unsigned int b = 0; b < 3; ++b)
-        for (unsigned int k = 0; k < 3; ++k)
-          second[a][b][k] = divided_difference(square(a), square(b), square(k));
   }
 
   SymmetricTensor<2, 3>
@@ -85,20 +81,34 @@ public:
     return strain;
   }
 
-  /** Stress and tangent by C of those by its logarithm. */
-  void
-  transform(const SymmetricTensor<2, 3> &stress,
-            const SymmetricTensor<4, 3> &tangent,
-            StrainEnergy &by_C) const
+  /** The stress by C of that by its logarithm. */
+  SymmetricTensor<2, 3>
+  stress(const SymmetricTensor<2, 3> &of_logarithm) const
   {
-    std::array<double, 6> along;
+    SymmetricTensor<2, 3> stress;
+    for (unsigned int i = 0; i < 6; ++i)
+      stress += 2 * weight(i) * first[i] * (of_logarithm * basis[i]) * basis[i];
+    return stress;
+  }
+
+  /** The same of the tangent. */
+  SymmetricTensor<4, 3>
+  tangent(const SymmetricTensor<2, 3> &stress,
+          const SymmetricTensor<4, 3> &of_logarithm) const
+  {
+    std::array<std::array<double, 3>, 3> along;
     std::array<SymmetricTensor<2, 3>, 6> of_basis;
     for (unsigned int i = 0; i < 6; ++i)
       {
-        along[i]    = stress * basis[i];
-        of_basis[i] = tangent * basis[i];
-        by_C.stress += 2 * weight(i) * first[i] * along[i] * basis[i];
+        along[row[i]][column[i]] = along[column[i]][row[i]] = stress * basis[i];
+        of_basis[i] = of_logarithm * basis[i];
       }
+    SecondDifferences second;
+    for (unsigned int a = 0; a < 3; ++a)
+      for (unsigned int b = 0; b < 3; ++b)
+        for (unsigned int k = 0; k < 3; ++k)
+          second[a][b][k] = divided_difference(square(a), square(b), square(k));
+    SymmetricTensor<4, 3> by_C;
     for (unsigned int i = 0; i < 6; ++i)
       {
         // What the i-th change of C does to the stress.
@@ -106,13 +116,16 @@ public:
         for (unsigned int j = 0; j < 6; ++j)
           change += weight(j) *
                     (first[i] * first[j] * (basis[j] * of_basis[i]) +
-                     curvature(along, i, j)) *
+                     curvature(along, second, i, j)) *
                     basis[j];
-        by_C.tangent += 4 * weight(i) * outer_product(basis[i], change);
+        by_C += 4 * weight(i) * outer_product(basis[i], change);
       }
+    return by_C;
   }
 
 private:
+  using SecondDifferences = std::array<std::array<std::array<double, 3>, 3>, 3>;
+
   static constexpr std::array<unsigned int, 6> row    = {{0, 1, 2, 0, 1, 2}};
   static constexpr std::array<unsigned int, 6> column = {{0, 1, 2, 1, 2, 0}};
 
@@ -129,45 +142,30 @@ private:
     return i < 3 ? 1 : 2;
   }
 
-  /** The component of a tensor of the basis. */
-  static double
-  component(const unsigned int i, const unsigned int a, const unsigned int b)
-  {
-    if ((a == row[i] && b == column[i]) || (b == row[i] && a == column[i]))
-      return i < 3 ? 1 : 0.5;
-    return 0;
-  }
-
   /** Stress times the second derivative of the logarithm along two tensors of
    * the basis (Daleckii and Krein 1965). */
   double
-  curvature(const std::array<double, 6> &along,
+  curvature(const std::array<std::array<double, 3>, 3> &stress,
+            const SecondDifferences &second,
             const unsigned int i,
             const unsigned int j) const
   {
+    const auto entries = [](const unsigned int k) {
+      return std::array<std::pair<unsigned int, unsigned int>, 2>{
+        {{row[k], column[k]}, {column[k], row[k]}}};
+    };
     double sum = 0;
-    for (unsigned int m = 0; m < 6; ++m)
-      for (const auto &[a, b] : {std::make_pair(row[m], column[m]),
-                                 std::make_pair(column[m], row[m])})
-        {
-          for (unsigned int k = 0; k < 3; ++k)
-            {
-              const double product = component(i, a, k) * component(j, k, b) +
-                                     component(j, a, k) * component(i, k, b);
-              if (product != 0)
-                sum += along[m] * product * second[a][k][b];
-            }
-          if (m < 3)
-            break;
-        }
-    return sum;
+    for (const auto &[a, k] : entries(i))
+      for (const auto &[l, b] : entries(j))
+        if (k == l)
+          sum += stress[a][b] * second[a][k][b];
+    return sum / 2;
   }
 
   const std::array<std::pair<double, Tensor<1, 3>>, 3> pairs;
   std::array<SymmetricTensor<2, 3>, 6> basis;
-  /** The divided differences of the logarithm. */
+  /** The first divided differences of the logarithm. */
   std::array<double, 6> first;
-  std::array<std::array<std::array<double, 3>, 3>, 3> second;
 };
 } // namespace
 
@@ -192,7 +190,8 @@ LogarithmicStrain::name() const
 LogarithmicStrain::Response
 LogarithmicStrain::respond(const SymmetricTensor<2, 3> &C,
                            const double volume,
-                           const History &history) const
+                           const History &history,
+                           const bool needs_tangent) const
 {
   const PrincipalAxes axes(C);
   const auto of_law = law->respond(axes.logarithm(), std::log(volume), history);
@@ -200,10 +199,11 @@ LogarithmicStrain::respond(const SymmetricTensor<2, 3> &C,
   response.energy      = of_law.energy;
   response.mean_stress = of_law.mean_stress / volume;
   response.stiffness = (of_law.lambda - of_law.mean_stress) / (volume * volume);
-  axes.transform(of_law.stress -
-                   of_law.mean_stress * unit_symmetric_tensor<3>(),
-                 of_law.tangent,
-                 response.distortion);
+  const auto without_volume =
+    of_law.stress - of_law.mean_stress * unit_symmetric_tensor<3>();
+  response.distortion.stress = axes.stress(without_volume);
+  if (needs_tangent)
+    response.distortion.tangent = axes.tangent(without_volume, of_law.tangent);
   return response;
 }
 
@@ -211,7 +211,8 @@ LogarithmicStrain::respond(const SymmetricTensor<2, 3> &C,
 
 MaterialResponse
 LogarithmicStrain::evaluate(const Tensor<2, 3> &gradient,
-                            const History &history) const
+                            const History &history,
+                            const bool needs_tangent) const
 {
   const Tensor<2, 3> F = gradient + unit_symmetric_tensor<3>();
   const double J       = determinant(F);
@@ -222,12 +223,13 @@ LogarithmicStrain::evaluate(const Tensor<2, 3> &gradient,
       return response;
     }
   const SymmetricTensor<2, 3> C = symmetrize(transpose(F) * F);
-  auto of_law                   = respond(C, J, history);
+  auto of_law                   = respond(C, J, history, needs_tangent);
   StrainEnergy &all             = of_law.distortion;
   add_pressure(of_law.mean_stress, of_law.stiffness, J, invert(C), all);
-  response.stress  = F * all.stress;
-  response.tangent = tangent_in_gradient(F, all.stress, all.tangent);
-  response.energy  = of_law.energy;
+  response.stress = F * all.stress;
+  if (needs_tangent)
+    response.tangent = tangent_in_gradient(F, all.stress, all.tangent);
+  response.energy = of_law.energy;
   return response;
 }
 } // namespace Setsudan

@@ -9,13 +9,16 @@ using namespace dealii;
 
 MaterialResponse
 SmallStrainLaw::evaluate(const Tensor<2, 3> &gradient,
-                         const History &history) const
+                         const History &history,
+                         const bool needs_tangent) const
 {
   using Unit          = Physics::Elasticity::StandardTensors<3>;
   const auto strain   = symmetrize(gradient);
   const auto response = respond(strain, trace(strain), history);
   return {Tensor<2, 3>(response.stress),
-          Tensor<4, 3>(response.tangent + response.lambda * Unit::IxI),
+          needs_tangent
+            ? Tensor<4, 3>(response.tangent + response.lambda * Unit::IxI)
+            : Tensor<4, 3>(),
           response.energy};
 }
 

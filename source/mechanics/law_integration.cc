@@ -80,13 +80,15 @@ std::vector<MaterialResponse>
 LawIntegration<dim>::respond(const ConstitutiveLaw &law,
                              const unsigned int c,
                              const Gradients &gradients,
-                             const Gradients *before) const
+                             const Gradients *before,
+                             const bool needs_tangent) const
 {
   const auto *const elastic = before != nullptr ? law.hyperelastic() : nullptr;
   std::vector<MaterialResponse> responses;
   for (unsigned int q = 0; q < gradients.size(); ++q)
     {
-      responses.push_back(law.evaluate(gradients[q], internal.history(c, q)));
+      responses.push_back(
+        law.evaluate(gradients[q], internal.history(c, q), needs_tangent));
       if (elastic == nullptr || !responses.back().energy.is_finite())
         continue;
       const auto change =
@@ -142,6 +144,7 @@ std::vector<MaterialResponse>
 LawIntegration<dim>::respond_mixed(const DecoupledLaw &law,
                                    const Gradients &gradients,
                                    const Gradients *before,
+                                   const bool needs_tangent,
                                    std::vector<double> &stiffness) const
 {
   const auto &points = fe_values.get_quadrature_points();
@@ -177,13 +180,15 @@ LawIntegration<dim>::respond_mixed(const DecoupledLaw &law,
       const Tensor<2, 3> F          = deformation(gradients[q]);
       const SymmetricTensor<2, 3> C = symmetrize(transpose(F) * F);
       const auto inverse_C          = invert(C);
-      StrainEnergy energy           = law.distortion(C);
+      StrainEnergy energy           = law.distortion(C, needs_tangent);
       MaterialResponse response;
       response.energy = Energy::elastic(energy.value + mixed.energies[q]);
       response.stress =
         F * (energy.stress + mixed.mean_stress(points[q]) * J[q] * inverse_C);
       add_pressure(in_tangent(points[q]), 0, J[q], inverse_C, energy);
-      response.tangent = tangent_in_gradient(F, energy.stress, energy.tangent);
+      if (needs_tangent)
+        response.tangent =
+          tangent_in_gradient(F, energy.stress, energy.tangent);
       responses.push_back(response);
     }
   return responses;
@@ -224,6 +229,7 @@ std::vector<MaterialResponse>
 LawIntegration<dim>::respond_mixed(const LogarithmicStrain &law,
                                    const unsigned int c,
                                    const Gradients &gradients,
+                                   const bool needs_tangent,
                                    std::vector<double> &stiffness) const
 {
   const auto &points = fe_values.get_quadrature_points();
@@ -238,8 +244,10 @@ LawIntegration<dim>::respond_mixed(const LogarithmicStrain &law,
       if (!(J[q] > 0) || !(volume > 0))
         return not_valid();
       const Tensor<2, 3> F = deformation(gradients[q]);
-      of_law.push_back(law.respond(
-        symmetrize(transpose(F) * F), volume, internal.history(c, q)));
+      of_law.push_back(law.respond(symmetrize(transpose(F) * F),
+                                   volume,
+                                   internal.history(c, q),
+                                   needs_tangent));
       mean_stresses.push_back(of_law.back().mean_stress);
       stiffness.push_back(of_law.back().stiffness);
     }
@@ -255,7 +263,9 @@ LawIntegration<dim>::respond_mixed(const LogarithmicStrain &law,
                    invert(symmetrize(transpose(F) * F)),
                    all);
       responses.push_back({F * all.stress,
-                           tangent_in_gradient(F, all.stress, all.tangent),
+                           needs_tangent
+                             ? tangent_in_gradient(F, all.stress, all.tangent)
+                             : Tensor<4, 3>(),
                            of_law[q].energy});
     }
   return responses;
@@ -328,9 +338,11 @@ LawIntegration<dim>::evaluate(const Cell &cell,
   std::vector<MaterialResponse> responses;
   const unsigned int c = cell->active_cell_index();
   if (decoupled != nullptr)
-    responses = respond_mixed(*decoupled, gradients, from, stiffness);
+    responses =
+      respond_mixed(*decoupled, gradients, from, needs_tangent, stiffness);
   else if (logarithmic != nullptr)
-    responses = respond_mixed(*logarithmic, c, gradients, stiffness);
+    responses =
+      respond_mixed(*logarithmic, c, gradients, needs_tangent, stiffness);
   else if (small != nullptr)
     {
       responses = respond_mixed(*small, c, gradients, stiffness);
@@ -338,7 +350,7 @@ LawIntegration<dim>::evaluate(const Cell &cell,
       gradients.assign(gradients.size(), Tensor<2, 3>());
     }
   else
-    responses = respond(*material.law, c, gradients, from);
+    responses = respond(*material.law, c, gradients, from, needs_tangent);
   for (const auto &response : responses)
     if (!response.energy.is_finite())
       {

@@ -61,9 +61,9 @@ cauchy_stress(const HyperelasticLaw &law,
               terms.inverse * unit_symmetric_tensor<3>()) /
              J;
     }
-  const auto S =
-    mean_stress ? law.decoupled()->distortion(C).stress : law.at(C).stress;
-  auto stress = symmetrize(F * S * transpose(F)) / J;
+  const auto S = mean_stress ? law.decoupled()->distortion(C, false).stress
+                             : law.at(C).stress;
+  auto stress  = symmetrize(F * S * transpose(F)) / J;
   if (mean_stress)
     stress += *mean_stress * unit_symmetric_tensor<3>();
   return stress;

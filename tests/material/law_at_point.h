@@ -29,7 +29,8 @@ evaluate(const ConstitutiveLaw &law,
   after.resize(before.size());
   return law.evaluate(
     gradient,
-    {{before.data(), before.size()}, {after.data(), after.size()}, time_step});
+    {{before.data(), before.size()}, {after.data(), after.size()}, time_step},
+    true);
 }
 
 

@@ -29,10 +29,11 @@ public:
 
   MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const History &history) const override
+           const History &history,
+           const bool needs_tangent) const override
   {
     history.after[0] = history.before[0] + 1;
-    return elastic.evaluate(gradient, history);
+    return elastic.evaluate(gradient, history, needs_tangent);
   }
 
 private:

@@ -152,9 +152,11 @@ public:
     (void)internal;
   }
 
-  /** @param gradient of the displacement. */
+  /** @param gradient of the displacement.
+   * @param needs_tangent whether the tangent must be set. */
   virtual MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const History &history) const = 0;
+           const History &history,
+           const bool needs_tangent) const = 0;
 };
 } // namespace Setsudan

@@ -34,7 +34,8 @@ public:
 
   /** The part of the distortion, as a function of C. */
   StrainEnergy
-  distortion(const dealii::SymmetricTensor<2, 3> &C) const;
+  distortion(const dealii::SymmetricTensor<2, 3> &C,
+             const bool needs_tangent = true) const;
 
   const VolumetricEnergy volumetric;
 

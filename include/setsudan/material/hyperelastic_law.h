@@ -65,12 +65,14 @@ public:
   /** Where the volume is not positive the energy is infinite, and the stress is
    * not set. */
   MaterialResponse
-  respond(const dealii::Tensor<2, 3> &gradient) const;
+  respond(const dealii::Tensor<2, 3> &gradient,
+          const bool needs_tangent = true) const;
 
   /** respond(). */
   MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const History &history) const override;
+           const History &history,
+           const bool needs_tangent) const override;
 };
 
 /** The tangent of a law in terms of F: d(F S)/dF.

@@ -73,11 +73,13 @@ public:
   Response
   respond(const dealii::SymmetricTensor<2, 3> &C,
           const double volume,
-          const History &history) const;
+          const History &history,
+          const bool needs_tangent) const;
 
   MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const History &history) const override;
+           const History &history,
+           const bool needs_tangent) const override;
 
 private:
   const std::shared_ptr<const SmallStrainLaw> law;

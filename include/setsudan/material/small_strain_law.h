@@ -45,7 +45,8 @@ public:
   /** respond(), of the symmetric part of the gradient. */
   MaterialResponse
   evaluate(const dealii::Tensor<2, 3> &gradient,
-           const History &history) const final;
+           const History &history,
+           const bool needs_tangent) const final;
 };
 
 /** Hooke's law. */

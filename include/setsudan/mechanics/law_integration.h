@@ -72,7 +72,8 @@ private:
   respond(const ConstitutiveLaw &law,
           const unsigned int cell,
           const Gradients &gradients,
-          const Gradients *before) const;
+          const Gradients *before,
+          const bool needs_tangent) const;
 
   /** The same of a mixed material; the stiffness of the volume is left to
    * add_volume_stiffness().
@@ -82,6 +83,7 @@ private:
   respond_mixed(const DecoupledLaw &law,
                 const Gradients &gradients,
                 const Gradients *before,
+                const bool needs_tangent,
                 std::vector<double> &stiffness) const;
 
   /** The same of a law of logarithmic strain, with the volume that MixedCell
@@ -90,6 +92,7 @@ private:
   respond_mixed(const LogarithmicStrain &law,
                 const unsigned int cell,
                 const Gradients &gradients,
+                const bool needs_tangent,
                 std::vector<double> &stiffness) const;
 
   /** The same of a law of small strain, with the change of volume that

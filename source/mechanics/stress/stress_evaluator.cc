@@ -201,8 +201,8 @@ cauchy_stress(const LogarithmicStrain &law,
   if (!(J > 0) || (volume && !(*volume > 0)))
     return std::numeric_limits<double>::quiet_NaN() *
            unit_symmetric_tensor<3>();
-  const auto response =
-    law.respond(symmetrize(transpose(F) * F), volume.value_or(J), history);
+  const auto response = law.respond(
+    symmetrize(transpose(F) * F), volume.value_or(J), history, false);
   return symmetrize(F * response.distortion.stress * transpose(F)) / J +
          response.mean_stress * unit_symmetric_tensor<3>();
 }
@@ -236,7 +236,7 @@ StressEvaluator<dim>::stress_with_memory(const unsigned int p) const
     return material->law->small_strain()
       ->respond(symmetrize(in_space), (*projected)(point(p)), history)
       .stress;
-  return symmetrize(material->law->evaluate(in_space, history).stress);
+  return symmetrize(material->law->evaluate(in_space, history, false).stress);
 }
 
 
