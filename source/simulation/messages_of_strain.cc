@@ -41,6 +41,35 @@ describe_strain(const MaterialParameters<dim> &materials)
 
 
 template <int dim>
+std::vector<std::string>
+warn_of_memory(const Scene<dim> &scene)
+{
+  std::vector<std::string> sentences;
+  if (scene.material.is_plastic() && scene.yield.compares_energies())
+    sentences.push_back(
+      "plastic flow at the front takes what a split sets free, the more of it "
+      "the smaller the elements are: with Material/Yield stress compare "
+      "forces under Yield/Criterion = energy release on the same elements "
+      "only.");
+  if (scene.material.is_viscous() && !scene.has_time())
+    sentences.push_back(
+      "no time passes, since neither Blade/Speed nor times in "
+      "Blade/Travel nor Time/Steps are given: Material/Viscous "
+      "has no effect.");
+  else if (scene.material.is_viscous() && !scene.cut.cuts.empty() &&
+           !scene.blade.path.has_times())
+    sentences.push_back("no time passes while the body is cut, since neither "
+                        "Blade/Speed nor times in Blade/Travel are given.");
+  if (scene.time.passes() && !scene.material.is_viscous() &&
+      scene.time.load_factors.empty())
+    sentences.push_back("Time/Steps has no effect without Material/Viscous or "
+                        "Time/Load factor.");
+  return sentences;
+}
+
+
+
+template <int dim>
 std::string
 describe_change_of_strain(const MaterialParameters<dim> &materials,
                           const Event &event)
@@ -75,6 +104,10 @@ template std::optional<std::string>
 describe_strain(const MaterialParameters<2> &);
 template std::optional<std::string>
 describe_strain(const MaterialParameters<3> &);
+template std::vector<std::string>
+warn_of_memory(const Scene<2> &);
+template std::vector<std::string>
+warn_of_memory(const Scene<3> &);
 template std::string
 describe_change_of_strain(const MaterialParameters<2> &, const Event &);
 template std::string

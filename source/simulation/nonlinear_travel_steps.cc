@@ -170,16 +170,11 @@ NonlinearTravel<dim>::judge(CutBody<dim> &body,
       return;
     }
   double area = 0, largest = -std::numeric_limits<double>::infinity();
-  const Equilibrium *neighbour = &position.equilibrium;
-  const unsigned int most      = n_ahead(body, row);
-  position.trials.reserve(most);
+  const unsigned int most = n_ahead(body, row);
   for (unsigned int n = 1; n <= most; ++n)
     {
-      position.trials.push_back(
-        contact->reach(row + n, 0, position.motion, *neighbour));
-      neighbour = &position.trials.back();
+      const double released = try_split(body, row, n, position);
       area += body.area_of_row(row + n - 1).area;
-      const double released = energy_set_free(position, *neighbour);
       const double required =
         search->surface_energy(body, row, n, position.motion, released);
       // Behind the last nodes there may be nothing to open.
@@ -190,6 +185,35 @@ NonlinearTravel<dim>::judge(CutBody<dim> &body,
           position.stress = {released / area, required / area};
         }
     }
+}
+
+
+
+template <int dim>
+double
+NonlinearTravel<dim>::try_split(CutBody<dim> &body,
+                                const unsigned int row,
+                                const unsigned int n,
+                                Position &position) const
+{
+  const BladeMotion &motion = position.motion;
+  const double speed        = this->scene.blade.path.speed_to(motion.n_stops);
+  const Equilibrium &neighbour =
+    position.trials.empty() ? position.equilibrium : position.trials.back();
+  if (speed == 0 || !body.model().materials.is_viscous())
+    {
+      Equilibrium released = contact->reach(row + n, 0, motion, neighbour);
+      position.trials.push_back(std::move(released));
+      return energy_set_free(position, position.trials.back());
+    }
+  // The front takes time to pass, in which the body goes on to relax: one that
+  // is slow finds the stiffness that lasts. Both states are of then.
+  body.let_time_pass(body.length_of_rows(row, n) / speed);
+  const Equilibrium tied =
+    contact->reach(row, n_ahead(body, row), motion, position.equilibrium);
+  const Equilibrium released = contact->reach(row + n, 0, motion, tied);
+  return tied.potential() - released.potential() -
+         tied.path->friction_work_to(*released.path)(motion.travel);
 }
 
 
@@ -317,15 +341,17 @@ NonlinearTravel<dim>::follow(CutBody<dim> &body,
 
 
 
-#define INSTANTIATE(dim)                                          \
-  template double NonlinearTravel<dim>::Position::excess() const; \
-  template void NonlinearTravel<dim>::rest(                       \
-    CutBody<dim> &, const unsigned int, const double);            \
-  template void NonlinearTravel<dim>::judge(                      \
-    CutBody<dim> &, const unsigned int, Position &) const;        \
-  template double NonlinearTravel<dim>::energy_of_row(            \
-    CutBody<dim> &, const unsigned int) const;                    \
-  template void NonlinearTravel<dim>::follow(                     \
+#define INSTANTIATE(dim)                                                       \
+  template double NonlinearTravel<dim>::Position::excess() const;              \
+  template void NonlinearTravel<dim>::rest(                                    \
+    CutBody<dim> &, const unsigned int, const double);                         \
+  template void NonlinearTravel<dim>::judge(                                   \
+    CutBody<dim> &, const unsigned int, Position &) const;                     \
+  template double NonlinearTravel<dim>::try_split(                             \
+    CutBody<dim> &, const unsigned int, const unsigned int, Position &) const; \
+  template double NonlinearTravel<dim>::energy_of_row(                         \
+    CutBody<dim> &, const unsigned int) const;                                 \
+  template void NonlinearTravel<dim>::follow(                                  \
     CutBody<dim> &, const unsigned int, const double);
 
 INSTANTIATE(2)

@@ -58,6 +58,8 @@ Simulation<dim>::run()
   results.progress.info(describe_body(body));
   if (const auto line = describe_strain(scene.material))
     results.progress.info(*line);
+  for (const auto &sentence : warn_of_memory(scene))
+    results.progress.warn(sentence);
   for (const auto &joint : describe_open_joints(scene))
     results.progress.warn(joint);
   try

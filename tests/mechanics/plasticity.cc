@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Forces and tangent of a body that flows are derivatives of its energy, in
-// both formulations; below the limit they are those of the elastic body; a bar
-// that is released stays as long as its plastic strain has made it.
+// Forces and tangent of a body that flows, and relaxes, are derivatives of its
+// energy, in both formulations and with finite strain; below the limit they are
+// those of the elastic body; a bar that is released stays as long as its
+// plastic strain has made it.
 
 #include <setsudan/mechanics/stress/deformation_extremes.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
@@ -31,12 +32,15 @@ wave(const Discretization<dim> &discretization, const double phase)
 /** About a state that flows, behind one that has flown. */
 template <int dim>
 void
-test_derivatives(const ElasticModel<dim> &model)
+test_derivatives(const ElasticModel<dim> &model, const double size = 1)
 {
   constexpr double step = 1e-6;
   evaluate_laws(model, deformed(model.discretization, 0.1));
   model.internal.accept();
-  LA::Vector u = wave(model.discretization, 0), after = u, before = u;
+  model.internal.set_time_step(0.3);
+  LA::Vector u = wave(model.discretization, 0);
+  u *= size;
+  LA::Vector after = u, before = u;
   const LA::Vector d = wave(model.discretization, 1);
   after.add(step, d);
   before.add(-step, d);
@@ -100,12 +104,24 @@ test(const std::string &type, const std::string &nu)
   flowing.push_back("Material/Yield stress=0.5");
   flowing.push_back("Material/Hardening=0.4, 0.3");
   stiff.push_back("Material/Yield stress=1e9");
+  Assignments viscous = flowing;
+  viscous.push_back("Material/Viscous=0.3 : 0.2, 0.1 : 2");
+  viscous.push_back("Material/Viscous bulk=0.2 : 1");
+  Assignments finite = viscous;
+  finite.push_back("Deformation/Strain=finite");
+  finite.push_back("Material/Yield stress=0.02");
   const CoarseMesh<dim> uneven = distorted(SmallBody<dim>(elements).body.mesh);
   SmallModel<dim> body(elastic, &uneven), plastic(flowing, &uneven),
     strong(stiff, &uneven);
   say(std::to_string(dim) + "D, " + type + ", nu = " + nu);
   test_derivatives(plastic.model);
   test_below_limit(strong.model, body.model);
+  for (const bool is_finite : {false, true})
+    {
+      SmallModel<dim> relaxing(is_finite ? finite : viscous, &uneven);
+      say(is_finite ? " and relaxes, finite strain" : " and relaxes");
+      test_derivatives(relaxing.model, is_finite ? 0.15 : 1);
+    }
 }
 
 

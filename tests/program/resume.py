@@ -46,7 +46,8 @@ SCENES = pathlib.Path(__file__).resolve().parents[1] / "scenes"
 KINDS = ["iterative.prm", "double_cantilever.prm", "accuracy.prm", "refined_2d.prm",
          "group_of_faces.prm", "blade_wedge.prm", "blade_wire.prm", "blade_stress.prm",
          "blade_withdraw.prm", "wedged.prm", "board_cut.prm", "finite_auto.prm",
-         "finite_withdraw.prm", "plastic_cut.prm"]
+         "finite_withdraw.prm", "plastic_cut.prm",
+         "viscous_cut.prm", "viscous_wedge.prm", "clay_wedge.prm"]
 
 
 class Failure(Exception):

@@ -49,11 +49,16 @@ template <int dim>
 std::string
 describe_solve(const CutBody<dim> &body);
 
-/** With which laws a body of finite strain deforms, and why; nothing where
- * strain is always small. */
+/** With which laws a body that is not linear deforms, and why; nothing where it
+ * always is. */
 template <int dim>
 std::optional<std::string>
 describe_strain(const MaterialParameters<dim> &materials);
+
+/** What to be wary of where laws remember and time passes, or does not. */
+template <int dim>
+std::vector<std::string>
+warn_of_memory(const Scene<dim> &scene);
 
 /** Which state makes a body take finite strain. */
 template <int dim>

@@ -24,11 +24,19 @@ struct ContactEquilibrium
   /** The internal forces, and the energy that is stored and that of pressures.
    */
   InternalForces internal;
-  /** The potential energy without the forces of contact. */
+  /** What is stored and lost, and the potential energy of the loads, without
+   * the forces of contact. */
   double energy = 0;
   SolveQuality quality;
   /** The steps of Newton's method that led to it. */
   unsigned int n_steps = 0;
+
+  /** The potential energy of which this is the minimum, see Energy. */
+  double
+  potential() const
+  {
+    return energy - internal.energy.total() + internal.energy.potential;
+  }
 };
 
 /**

@@ -103,6 +103,16 @@ private:
   double
   energy_set_free(const Position &position, const Equilibrium &after) const;
 
+  /** The energy that a split of rows would set free while the front passes
+   * them.
+   *
+   * @param n how many; a trial is kept for as many where no time passes. */
+  double
+  try_split(CutBody<dim> &body,
+            const unsigned int row,
+            const unsigned int n,
+            Position &position) const;
+
   /** Ask whether rows split. */
   void
   judge(CutBody<dim> &body, const unsigned int row, Position &position) const;
