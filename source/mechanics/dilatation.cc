@@ -66,7 +66,7 @@ Dilatation<dim>::operator()(const Cell &cell,
   fe_values.reinit(cell);
   const auto fit        = dilatation_fit(type, fe_values);
   const auto *const law = material.law->hyperelastic();
-  if (law == nullptr && material.law->logarithmic() == nullptr)
+  if (law == nullptr && material.law->finite_strain() == nullptr)
     {
       fe_values[components].get_function_divergences(displacement, divergences);
       return fit(divergences);

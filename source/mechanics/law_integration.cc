@@ -226,7 +226,7 @@ LawIntegration<dim>::respond_mixed(const SmallStrainLaw &law,
 
 template <int dim>
 std::vector<MaterialResponse>
-LawIntegration<dim>::respond_mixed(const LogarithmicStrain &law,
+LawIntegration<dim>::respond_mixed(const FiniteStrainLaw &law,
                                    const unsigned int c,
                                    const Gradients &gradients,
                                    const bool needs_tangent,
@@ -236,7 +236,7 @@ LawIntegration<dim>::respond_mixed(const LogarithmicStrain &law,
   const auto fit     = dilatation_fit(discretization.type, fe_values);
   const auto J       = volumes(gradients);
   const auto theta   = fit(J);
-  std::vector<LogarithmicStrain::Response> of_law;
+  std::vector<FiniteStrainLaw::Response> of_law;
   std::vector<double> mean_stresses;
   for (unsigned int q = 0; q < gradients.size(); ++q)
     {
@@ -323,8 +323,8 @@ LawIntegration<dim>::evaluate(const Cell &cell,
     material.is_mixed && elastic != nullptr ? elastic->decoupled() : nullptr;
   const auto *const small =
     material.is_mixed ? material.law->small_strain() : nullptr;
-  const auto *const logarithmic =
-    material.is_mixed ? material.law->logarithmic() : nullptr;
+  const auto *const finite =
+    material.is_mixed ? material.law->finite_strain() : nullptr;
   fe_values.reinit(cell);
   forces         = 0;
   tangent        = 0;
@@ -340,9 +340,8 @@ LawIntegration<dim>::evaluate(const Cell &cell,
   if (decoupled != nullptr)
     responses =
       respond_mixed(*decoupled, gradients, from, needs_tangent, stiffness);
-  else if (logarithmic != nullptr)
-    responses =
-      respond_mixed(*logarithmic, c, gradients, needs_tangent, stiffness);
+  else if (finite != nullptr)
+    responses = respond_mixed(*finite, c, gradients, needs_tangent, stiffness);
   else if (small != nullptr)
     {
       responses = respond_mixed(*small, c, gradients, stiffness);

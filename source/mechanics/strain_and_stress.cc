@@ -14,7 +14,7 @@ SymmetricTensor<2, dim>
 strain_of(const Material &material, const Tensor<2, dim> &gradient)
 {
   if (material.law->hyperelastic() == nullptr &&
-      material.law->logarithmic() == nullptr)
+      material.law->finite_strain() == nullptr)
     return symmetrize(gradient);
   const Tensor<2, dim> F = gradient + unit_symmetric_tensor<dim>();
   SymmetricTensor<2, dim> strain;

@@ -10,8 +10,8 @@
 namespace Setsudan
 {
 class Hooke;
+class FiniteStrainLaw;
 class HyperelasticLaw;
-class LogarithmicStrain;
 class SmallStrainLaw;
 
 /** What becomes of the work that is done on a material, per volume at rest
@@ -110,9 +110,9 @@ public:
     return nullptr;
   }
 
-  /** This, if it is a law between logarithmic strain and stress; or null. */
-  virtual const LogarithmicStrain *
-  logarithmic() const
+  /** This, if it is another law of finite strain; or null. */
+  virtual const FiniteStrainLaw *
+  finite_strain() const
   {
     return nullptr;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/material/hyperelastic_law.h>
+#include <setsudan/material/finite_strain_law.h>
 #include <setsudan/material/small_strain_law.h>
 
 #include <memory>
@@ -19,19 +19,13 @@ namespace Setsudan
  * 5383-5425). Hooke's law gives the energy of Hencky. Where all directions turn
  * together the strain of a dashpot, or of plastic flow, turns with them.
  */
-class LogarithmicStrain : public ConstitutiveLaw
+class LogarithmicStrain : public FiniteStrainLaw
 {
 public:
   explicit LogarithmicStrain(const std::shared_ptr<const SmallStrainLaw> &law);
 
   std::string
   name() const override;
-
-  const LogarithmicStrain *
-  logarithmic() const override
-  {
-    return this;
-  }
 
   bool
   is_plastic() const override
@@ -57,29 +51,11 @@ public:
     law->initialize(internal);
   }
 
-  /** What the law answers where the volume may be projected. */
-  struct Response
-  {
-    /** Without the mean stress below; its value is not set. */
-    StrainEnergy distortion;
-    /** The derivative of the energy by the volume, and its derivative
-     * [force/area]. */
-    double mean_stress;
-    double stiffness;
-    Energy energy;
-  };
-
-  /** @param volume over that at rest, greater than 0. */
   Response
   respond(const dealii::SymmetricTensor<2, 3> &C,
           const double volume,
           const History &history,
-          const bool needs_tangent) const;
-
-  MaterialResponse
-  evaluate(const dealii::Tensor<2, 3> &gradient,
-           const History &history,
-           const bool needs_tangent) const override;
+          const bool needs_tangent) const override;
 
 private:
   const std::shared_ptr<const SmallStrainLaw> law;

@@ -41,7 +41,7 @@ public:
 
   /** What the stress of a cell of a mixed material depends on besides its
    * strain: its dilatation; with a hyperelastic law the mean Cauchy stress (see
-   * MixedCell); with one of logarithmic strain the volume.
+   * MixedCell); with another one of finite strain the volume.
    *
    * @param displacement with ghosts. */
   LinearFunction<dim>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <setsudan/material/logarithmic_strain.h>
+#include <setsudan/material/finite_strain_law.h>
+#include <setsudan/material/small_strain_law.h>
 #include <setsudan/mechanics/internal_variables.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -86,10 +87,10 @@ private:
                 const bool needs_tangent,
                 std::vector<double> &stiffness) const;
 
-  /** The same of a law of logarithmic strain, with the volume that MixedCell
+  /** The same of a law that remembers, with the volume that MixedCell
    * projects. */
   std::vector<MaterialResponse>
-  respond_mixed(const LogarithmicStrain &law,
+  respond_mixed(const FiniteStrainLaw &law,
                 const unsigned int cell,
                 const Gradients &gradients,
                 const bool needs_tangent,

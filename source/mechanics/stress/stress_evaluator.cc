@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/quadrature_lib.h>
 
-#include <setsudan/material/logarithmic_strain.h>
+#include <setsudan/material/finite_strain_law.h>
+#include <setsudan/material/small_strain_law.h>
 #include <setsudan/mechanics/strain_and_stress.h>
 #include <setsudan/mechanics/stress/stress_evaluator.h>
 
@@ -191,7 +192,7 @@ namespace
 {
 /** @param volume that is projected, of a mixed material. */
 SymmetricTensor<2, 3>
-cauchy_stress(const LogarithmicStrain &law,
+cauchy_stress(const FiniteStrainLaw &law,
               const Tensor<2, 3> &gradient,
               const History &history,
               const std::optional<double> &volume)
@@ -226,7 +227,7 @@ StressEvaluator<dim>::stress_with_memory(const unsigned int p) const
   const Tensor<2, 3> in_space = Setsudan::in_space(gradient(p));
   const History history{{before.data(), before.size()},
                         {after.data(), after.size()}};
-  if (const auto *const law = material->law->logarithmic())
+  if (const auto *const law = material->law->finite_strain())
     return cauchy_stress(*law,
                          in_space,
                          history,
