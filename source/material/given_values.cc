@@ -11,6 +11,7 @@ using namespace dealii;
 template <int dim>
 GivenValues<dim>::GivenValues(const Parameters &parameters,
                               const Body<dim> &body)
+  : directional(parameters, body)
 {
   const auto read = [&](const std::string &name,
                         const std::string &allowed,
@@ -28,8 +29,13 @@ GivenValues<dim>::GivenValues(const Parameters &parameters,
   toughnesses                = read("Toughness", positive, is_positive);
   yield_stresses =
     read("Yield stress", "a number that is not negative", is_not_negative);
-  hardenings = read_lists(
-    parameters, body, "Hardening", "isotropic, kinematic", 2, is_not_negative);
+  hardenings = read_lists(parameters,
+                          body,
+                          "Hardening",
+                          {"isotropic, kinematic",
+                           2,
+                           "numbers that are not negative",
+                           is_not_negative});
   names = read_names(parameters, body, "Law", "law", LawParameters::names());
 }
 
@@ -39,13 +45,14 @@ template <int dim>
 unsigned int
 GivenValues<dim>::size() const
 {
-  return std::max({moduli.size(),
-                   ratios.size(),
-                   limits.size(),
-                   toughnesses.size(),
-                   yield_stresses.size(),
-                   hardenings.size(),
-                   names.size()});
+  return std::max<std::size_t>({moduli.size(),
+                                ratios.size(),
+                                limits.size(),
+                                toughnesses.size(),
+                                yield_stresses.size(),
+                                hardenings.size(),
+                                names.size(),
+                                directional.size()});
 }
 
 
@@ -63,7 +70,8 @@ GivenValues<dim>::of_element(const unsigned int element) const
           of(toughnesses),
           of(yield_stresses),
           of(hardenings),
-          of(names)};
+          of(names),
+          directional.of_element(element)};
 }
 
 

@@ -18,6 +18,7 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
 {
   Presets::declare(handler);
   LawParameters::declare(handler);
+  DirectionalValues<dim>::declare(handler);
   Setsudan::declare(handler,
                     "Material",
                     "Young's modulus",
@@ -114,6 +115,62 @@ make_law(const Parameters &parameters,
                      "displacement");
   return law;
 }
+
+
+
+/** The same of an orthotropic material. */
+std::shared_ptr<const ConstitutiveLaw>
+make_law(const Parameters &parameters,
+         const LawParameters &laws,
+         const std::string &name,
+         const OrthotropicConstants &constants,
+         const double yield_stress)
+{
+  const std::string where = " where Material/Young's moduli are given";
+  parameters.require(parameters.text("Material", "Formulation") != "mixed",
+                     "Material",
+                     "Formulation",
+                     "auto or displacement" + where);
+  parameters.require(
+    yield_stress == 0, "Material", "Yield stress", "0" + where);
+  if (laws.strain == LawParameters::Strain::small)
+    return std::make_shared<const OrthotropicElasticity>(constants);
+  parameters.require(name == "auto" || name == "linear elastic",
+                     "Material",
+                     "Law",
+                     "auto or linear elastic" + where);
+  return std::make_shared<const OrthotropicStVenantKirchhoff>(constants);
+}
+
+
+
+template <int dim>
+Material
+make_material(const Parameters &parameters,
+              const LawParameters &laws,
+              const typename GivenValues<dim>::OfElement &values)
+{
+  const auto &[modulus, ratio, limit, toughness, yield, hardening, name, by] =
+    values;
+  const auto directions         = MaterialDirections::make<dim>(parameters, by);
+  const auto &elastic           = directions.elastic;
+  const std::string formulation = parameters.text("Material", "Formulation");
+  const bool is_mixed =
+    formulation == "mixed" ||
+    (formulation == "auto" && !elastic && ratio >= mixed_from_ratio);
+  const Hooke at_rest =
+    elastic ? elastic->isotropic_mean() : Hooke(modulus, ratio);
+  const auto law = elastic ? make_law(parameters, laws, name, *elastic, yield)
+                   : yield > 0
+                     ? std::make_shared<const J2Plasticity>(
+                         at_rest, yield, Hardening{hardening[0], hardening[1]})
+                     : make_law(parameters, laws, name, at_rest, is_mixed);
+  return {at_rest,
+          law,
+          directions.shear_limit.value_or(CutLimit(limit)),
+          directions.toughness.value_or(CutLimit(toughness)),
+          is_mixed};
+}
 } // namespace
 
 
@@ -122,25 +179,22 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                                             const Body<dim> &body)
   : linear_range(parameters.number("Material", "Linear range"))
 {
+  using Strain = LawParameters::Strain;
   const GivenValues<dim> given(parameters, body);
   parameters.require(
     linear_range > 0, "Material", "Linear range", "a number greater than 0");
-
-  const std::string formulation = parameters.text("Material", "Formulation");
-  formulation_is_named          = formulation != "auto";
-  const auto is_mixed           = [&](const double ratio) {
-    return formulation == "mixed" ||
-           (formulation == "auto" && ratio >= mixed_from_ratio);
-  };
+  formulation_is_named = parameters.text("Material", "Formulation") != "auto";
   const LawParameters laws(parameters);
   strain        = laws.strain;
-  finite_strain = strain == LawParameters::Strain::finite;
-  parameters.require(strain != LawParameters::Strain::automatic ||
-                       linear_range < 1,
+  finite_strain = strain == Strain::finite;
+  parameters.require(strain != Strain::automatic || linear_range < 1,
                      "Material",
                      "Linear range",
                      "a number less than 1 where Deformation/Strain is auto, "
                      "since a body may be inside out beyond that");
+  LawParameters at_first = laws;
+  if (strain == Strain::automatic)
+    at_first.strain = Strain::small;
   std::map<typename GivenValues<dim>::OfElement, unsigned int> numbers;
   bool hardens = false;
   for (unsigned int element = 0; element < given.size(); ++element)
@@ -149,23 +203,18 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
       const auto inserted = numbers.emplace(values, numbers.size());
       if (inserted.second)
         {
-          const auto
-            &[modulus, ratio, limit, toughness, yield, hardening, name] =
-              values;
+          const auto &hardening = std::get<5>(values);
           hardens = hardens || hardening[0] > 0 || hardening[1] > 0;
-          const Hooke at_rest(modulus, ratio);
-          const bool mixed = is_mixed(ratio);
-          auto law         = make_law(parameters, laws, name, at_rest, mixed);
-          if (yield > 0)
-            law = std::make_shared<const J2Plasticity>(
-              at_rest, yield, Hardening{hardening[0], hardening[1]});
-          materials.push_back({at_rest, law, limit, toughness, mixed});
+          materials.push_back(make_material<dim>(parameters, at_first, values));
+          if (strain == Strain::automatic)
+            laws_to_come.push_back(
+              make_material<dim>(parameters, laws, values).law);
         }
       material_of_element.push_back(inserted.first->second);
     }
   if (materials.size() == 1)
     material_of_element.clear();
-  parameters.require(!is_plastic() || strain == LawParameters::Strain::small,
+  parameters.require(!is_plastic() || strain == Strain::small,
                      "Deformation",
                      "Strain",
                      "small where Material/Yield stress is given");
@@ -173,13 +222,6 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                      "Material",
                      "Hardening",
                      "0, 0 where no Material/Yield stress is given");
-  if (strain == LawParameters::Strain::automatic)
-    for (auto &material : materials)
-      {
-        laws_to_come.push_back(material.law);
-        material.law =
-          std::make_shared<const LinearElasticity>(material.at_rest);
-      }
 }
 
 
@@ -214,11 +256,13 @@ MaterialParameters<dim>::n_materials() const
 namespace
 {
 double
-smallest(const std::vector<Material> &materials, double Material::*value)
+smallest(const std::vector<Material> &materials,
+         const CutLimit Material::*limit,
+         const unsigned int dim)
 {
-  double result = materials.front().*value;
+  double result = (materials.front().*limit).smallest(dim);
   for (const auto &material : materials)
-    result = std::min(result, material.*value);
+    result = std::min(result, (material.*limit).smallest(dim));
   return result;
 }
 } // namespace
@@ -229,7 +273,7 @@ void
 MaterialParameters<dim>::add_work_of_edge(const double width)
 {
   for (auto &material : materials)
-    material.toughness += width * 2 * material.shear_limit;
+    material.toughness.add(width * 2, material.shear_limit);
 }
 
 
@@ -238,7 +282,7 @@ template <int dim>
 double
 MaterialParameters<dim>::smallest_shear_limit() const
 {
-  return smallest(materials, &Material::shear_limit);
+  return smallest(materials, &Material::shear_limit, dim);
 }
 
 
@@ -247,7 +291,7 @@ template <int dim>
 double
 MaterialParameters<dim>::smallest_toughness() const
 {
-  return smallest(materials, &Material::toughness);
+  return smallest(materials, &Material::toughness, dim);
 }
 
 
@@ -282,7 +326,20 @@ MaterialParameters<dim>::is_linear() const
 {
   return std::all_of(
     materials.begin(), materials.end(), [](const Material &material) {
-      return material.law->linear() != nullptr;
+      return material.law->is_linear();
+    });
+}
+
+
+
+template <int dim>
+bool
+MaterialParameters<dim>::is_hookean() const
+{
+  return std::all_of(
+    materials.begin(), materials.end(), [](const Material &material) {
+      return material.law->is_linear() &&
+             material.law->anisotropic_stiffness() == nullptr;
     });
 }
 

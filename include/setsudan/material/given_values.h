@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/material/directional_values.h>
 #include <setsudan/material/element_values.h>
 
 #include <string>
@@ -16,14 +17,16 @@ class GivenValues
 {
 public:
   /** Young's modulus, Poisson's ratio, shear limit, toughness, yield stress,
-   * its isotropic and kinematic hardening, and the law. */
+   * its isotropic and kinematic hardening, the law, and what depends on the
+   * direction. */
   using OfElement = std::tuple<double,
                                double,
                                double,
                                double,
                                double,
                                std::vector<double>,
-                               std::string>;
+                               std::string,
+                               typename DirectionalValues<dim>::OfElement>;
 
   /** @throw SceneError for a value that no material has, or a group of elements
    * that the body does not have. */
@@ -40,5 +43,6 @@ private:
   ElementValues<double> moduli, ratios, limits, toughnesses, yield_stresses;
   ElementValues<std::vector<double>> hardenings;
   ElementValues<std::string> names;
+  const DirectionalValues<dim> directional;
 };
 } // namespace Setsudan
