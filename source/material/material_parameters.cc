@@ -18,7 +18,6 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
 {
   Presets::declare(handler);
   LawParameters::declare(handler);
-  DirectionalValues<dim>::declare(handler);
   Setsudan::declare(handler,
                     "Material",
                     "Young's modulus",
@@ -49,6 +48,7 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "The energy for each new area that a blade of sharpness 0 "
                     "needs, with the criterion energy release; greater than 0 "
                     "[force/length].");
+  DirectionalValues<dim>::declare(handler);
   Setsudan::declare(handler,
                     "Material",
                     "Yield stress",
