@@ -291,11 +291,9 @@ check_laws_of_decks(const Parameters &parameters, MaterialParameters<dim> laws)
         ": of finite strain CalculiX has isochoric neo-Hooke, Mooney-Rivlin "
         "and Ogden of up to four terms, with Volumetric energy = quadratic");
 }
-} // namespace
 
 
-namespace
-{
+
 /** The materials, and what a blunt edge takes besides their toughness. */
 template <int dim>
 MaterialParameters<dim>
