@@ -45,6 +45,7 @@ colon_before_pairs(const std::string &item)
  *
  * @param kind of the values, in a word.
  * @param parse nothing, for a text that is not what `allowed` says.
+ * @param may_be_empty whether elements need no value.
  */
 template <int dim, typename Value>
 ElementValues<Value>
@@ -55,6 +56,7 @@ read_values(
   const std::string &kind,
   const std::string &allowed,
   const std::function<std::optional<Value>(const std::string &)> &parse,
+  const bool may_be_empty       = false,
   const EndOfGroup end_of_group = last_colon)
 {
   const auto reject_unless = [&](const bool condition,
@@ -94,11 +96,13 @@ read_values(
           given[cell]  = true;
         }
     }
+  if (may_be_empty && values.empty())
+    values.emplace_back();
   reject_unless(!values.empty(), allowed);
   reject_unless(
-    all_given || std::all_of(given.begin(),
-                             given.end(),
-                             [](const bool value) { return value; }),
+    all_given || may_be_empty ||
+      std::all_of(
+        given.begin(), given.end(), [](const bool value) { return value; }),
     "a " + kind +
       " for every element: the groups leave some out, for which a " + kind +
       " without a group would be taken");
@@ -137,24 +141,25 @@ ElementValues<std::vector<double>>
 read_lists(const Parameters &parameters,
            const Body<dim> &body,
            const std::string &name,
-           const std::string &kind,
-           const unsigned int n_numbers,
-           bool (*is_allowed)(double))
+           const NumberList &list)
 {
   return read_values<dim, std::vector<double>>(
     parameters,
     body,
     name,
-    kind,
-    "'" + kind + "', " + std::to_string(n_numbers) +
-      " numbers that are not negative",
+    list.kind,
+    "'" + list.kind + "', " + std::to_string(list.n_numbers) + " " +
+      list.allowed,
     [&](const std::string &text) -> std::optional<std::vector<double>> {
       std::vector<double> numbers;
-      if (parse_numbers(text, numbers) && numbers.size() == n_numbers &&
-          std::all_of(numbers.begin(), numbers.end(), is_allowed))
+      if (parse_numbers(text, numbers) &&
+          (numbers.size() == list.n_numbers ||
+           (numbers.empty() && list.may_be_empty)) &&
+          std::all_of(numbers.begin(), numbers.end(), list.is_allowed))
         return numbers;
       return {};
-    });
+    },
+    list.may_be_empty);
 }
 
 
@@ -191,6 +196,7 @@ read_pairs(const Parameters &parameters,
         }
       return pairs;
     },
+    false,
     colon_before_pairs);
 }
 
@@ -229,9 +235,7 @@ read_names(const Parameters &parameters,
   template ElementValues<std::vector<double>> read_lists(const Parameters &,  \
                                                          const Body<dim> &,   \
                                                          const std::string &, \
-                                                         const std::string &, \
-                                                         const unsigned int,  \
-                                                         bool (*)(double));   \
+                                                         const NumberList &); \
   template ElementValues<std::vector<std::pair<double, double>>> read_pairs(  \
     const Parameters &,                                                       \
     const Body<dim> &,                                                        \

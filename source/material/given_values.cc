@@ -11,6 +11,7 @@ using namespace dealii;
 template <int dim>
 GivenValues<dim>::GivenValues(const Parameters &parameters,
                               const Body<dim> &body)
+  : directional(parameters, body)
 {
   const auto read = [&](const std::string &name,
                         const std::string &allowed,
@@ -28,8 +29,13 @@ GivenValues<dim>::GivenValues(const Parameters &parameters,
   toughnesses                = read("Toughness", positive, is_positive);
   yield_stresses =
     read("Yield stress", "a number that is not negative", is_not_negative);
-  hardenings = read_lists(
-    parameters, body, "Hardening", "isotropic, kinematic", 2, is_not_negative);
+  hardenings            = read_lists(parameters,
+                          body,
+                          "Hardening",
+                          {"isotropic, kinematic",
+                                      2,
+                                      "numbers that are not negative",
+                                      is_not_negative});
   const auto read_terms = [&](const std::string &name) {
     return read_pairs(parameters,
                       body,
@@ -65,15 +71,16 @@ template <int dim>
 unsigned int
 GivenValues<dim>::size() const
 {
-  return std::max({moduli.size(),
-                   ratios.size(),
-                   limits.size(),
-                   toughnesses.size(),
-                   yield_stresses.size(),
-                   hardenings.size(),
-                   shear_terms.size(),
-                   bulk_terms.size(),
-                   names.size()});
+  return std::max<std::size_t>({moduli.size(),
+                                ratios.size(),
+                                limits.size(),
+                                toughnesses.size(),
+                                yield_stresses.size(),
+                                hardenings.size(),
+                                shear_terms.size(),
+                                bulk_terms.size(),
+                                names.size(),
+                                directional.size()});
 }
 
 
@@ -93,7 +100,8 @@ GivenValues<dim>::of_element(const unsigned int element) const
           of(hardenings),
           of(shear_terms),
           of(bulk_terms),
-          of(names)};
+          of(names),
+          directional.of_element(element)};
 }
 
 

@@ -44,9 +44,9 @@ LawParameters::declare(ParameterHandler &handler)
                     "neo-Hooke, isochoric neo-Hooke, Mooney-Rivlin or Ogden. "
                     "All have Young's modulus and Poisson's ratio at rest. "
                     "auto: isochoric neo-Hooke in the mixed formulation, "
-                    "which needs an energy of the volume of its own, and "
-                    "neo-Hooke elsewhere. Small strain always takes Hooke's "
-                    "law.");
+                    "which needs an energy of the volume of its own, linear "
+                    "elastic where Young's moduli are given, and neo-Hooke "
+                    "elsewhere. Small strain always takes Hooke's law.");
   Setsudan::declare(handler,
                     "Material",
                     "Volumetric energy",

@@ -19,7 +19,7 @@ LogarithmicStrain::LogarithmicStrain(
 std::string
 LogarithmicStrain::name() const
 {
-  return (law->linear() != nullptr ? "Hooke's law" : law->name()) +
+  return (law->is_linear() ? "Hooke's law" : law->name()) +
          " of logarithmic strain";
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <setsudan/material/given_values.h>
-#include <setsudan/material/j2_plasticity.h>
-#include <setsudan/material/logarithmic_strain.h>
+#include <setsudan/material/make_material.h>
 #include <setsudan/material/material_parameters.h>
 #include <setsudan/material/presets.h>
-#include <setsudan/material/small_strain_law.h>
 
 #include <algorithm>
 #include <map>
@@ -49,6 +46,7 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "The energy for each new area that a blade of sharpness 0 "
                     "needs, with the criterion energy release; greater than 0 "
                     "[force/length].");
+  DirectionalValues<dim>::declare(handler);
   Setsudan::declare(handler,
                     "Material",
                     "Yield stress",
@@ -105,87 +103,27 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
 
 
 
-namespace
-{
-// From here on the displacement formulation's stress is wrong by several per
-// cent on coarse meshes (doc/theory.md).
-constexpr double mixed_from_ratio = 0.45;
-
-/** @throw SceneError for a law that does not fit to the other parameters. */
-std::shared_ptr<const ConstitutiveLaw>
-make_law(const Parameters &parameters,
-         const LawParameters &laws,
-         const std::string &name,
-         const Hooke &at_rest,
-         const bool is_mixed)
-{
-  parameters.require(name != "Ogden" || !laws.ogden_terms.empty(),
-                     "Material",
-                     "Law",
-                     "another law, or Ogden with Material/Ogden terms");
-  const auto law = laws.make(name, at_rest, is_mixed);
-  parameters.require(law != nullptr,
-                     "Material",
-                     "Law",
-                     "isochoric neo-Hooke, Mooney-Rivlin, Ogden or auto in the "
-                     "mixed formulation, which auto takes where Poisson's "
-                     "ratio is at least 0.45; or set Material/Formulation = "
-                     "displacement");
-  return law;
-}
-} // namespace
-
-
-namespace
-{
-/** The law of a material that remembers. */
-std::shared_ptr<const ConstitutiveLaw>
-with_memory(const LawParameters::Strain strain,
-            const Hooke &at_once,
-            const Hooke &lasting,
-            const double yield_stress,
-            const Hardening &hardening,
-            const Relaxation &relaxation)
-{
-  std::shared_ptr<const SmallStrainLaw> law;
-  if (yield_stress > 0)
-    law =
-      std::make_shared<const J2Plasticity>(lasting, yield_stress, hardening);
-  else
-    law = std::make_shared<const LinearElasticity>(lasting);
-  if (!relaxation.empty())
-    law = std::make_shared<const Viscoelasticity>(law, at_once, relaxation);
-  if (strain == LawParameters::Strain::small)
-    return law;
-  return std::make_shared<const LogarithmicStrain>(law);
-}
-} // namespace
-
-
 template <int dim>
 MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                                             const Body<dim> &body)
   : linear_range(parameters.number("Material", "Linear range"))
 {
+  using Strain = LawParameters::Strain;
   const GivenValues<dim> given(parameters, body);
   parameters.require(
     linear_range > 0, "Material", "Linear range", "a number greater than 0");
-
-  const std::string formulation = parameters.text("Material", "Formulation");
-  formulation_is_named          = formulation != "auto";
-  const auto is_mixed           = [&](const double ratio) {
-    return formulation == "mixed" ||
-           (formulation == "auto" && ratio >= mixed_from_ratio);
-  };
+  formulation_is_named = parameters.text("Material", "Formulation") != "auto";
   const LawParameters laws(parameters);
   strain        = laws.strain;
-  finite_strain = strain == LawParameters::Strain::finite;
-  parameters.require(strain != LawParameters::Strain::automatic ||
-                       linear_range < 1,
+  finite_strain = strain == Strain::finite;
+  parameters.require(strain != Strain::automatic || linear_range < 1,
                      "Material",
                      "Linear range",
                      "a number less than 1 where Deformation/Strain is auto, "
                      "since a body may be inside out beyond that");
+  LawParameters at_first = laws;
+  if (strain == Strain::automatic)
+    at_first.strain = Strain::small;
   std::map<typename GivenValues<dim>::OfElement, unsigned int> numbers;
   bool hardens = false;
   for (unsigned int element = 0; element < given.size(); ++element)
@@ -194,46 +132,18 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
       const auto inserted = numbers.emplace(values, numbers.size());
       if (inserted.second)
         {
-          const auto &[modulus,
-                       ratio,
-                       limit,
-                       toughness,
-                       yield,
-                       hardening,
-                       shear_terms,
-                       bulk_terms,
-                       name] = values;
-          hardens            = hardens || hardening[0] > 0 || hardening[1] > 0;
-          const Hooke at_rest(modulus, ratio);
-          const Relaxation relaxation{shear_terms, bulk_terms};
-          // Where shear relaxes, the body is nearer to incompressible then.
-          const Hooke lasting = relaxation.long_after(at_rest);
-          const bool mixed =
-            is_mixed(std::max(ratio, lasting.poissons_ratio()));
-          auto law = make_law(parameters, laws, name, at_rest, mixed);
-          const bool remembers = yield > 0 || !relaxation.empty();
-          parameters.require(!remembers || name == "auto" ||
-                               laws.strain == LawParameters::Strain::small,
-                             "Material",
-                             "Law",
-                             "auto for materials with Material/Yield stress or "
-                             "Material/Viscous, which is the law of small "
-                             "strain for logarithmic strain");
-          if (remembers)
-            law = with_memory(laws.strain,
-                              at_rest,
-                              lasting,
-                              yield,
-                              {hardening[0], hardening[1]},
-                              relaxation);
-          materials.push_back({at_rest, law, limit, toughness, mixed});
+          const auto &hardening = std::get<5>(values);
+          hardens = hardens || hardening[0] > 0 || hardening[1] > 0;
+          materials.push_back(make_material<dim>(parameters, at_first, values));
+          if (strain == Strain::automatic)
+            laws_to_come.push_back(
+              make_material<dim>(parameters, laws, values).law);
         }
       material_of_element.push_back(inserted.first->second);
     }
   if (materials.size() == 1)
     material_of_element.clear();
-  parameters.require(!has_internal_variables() ||
-                       strain != LawParameters::Strain::automatic,
+  parameters.require(!has_internal_variables() || strain != Strain::automatic,
                      "Deformation",
                      "Strain",
                      "small or finite where Material/Yield stress or "
@@ -242,13 +152,6 @@ MaterialParameters<dim>::MaterialParameters(const Parameters &parameters,
                      "Material",
                      "Hardening",
                      "0, 0 where no Material/Yield stress is given");
-  if (strain == LawParameters::Strain::automatic)
-    for (auto &material : materials)
-      {
-        laws_to_come.push_back(material.law);
-        material.law =
-          std::make_shared<const LinearElasticity>(material.at_rest);
-      }
 }
 
 
@@ -283,11 +186,13 @@ MaterialParameters<dim>::n_materials() const
 namespace
 {
 double
-smallest(const std::vector<Material> &materials, double Material::*value)
+smallest(const std::vector<Material> &materials,
+         const CutLimit Material::*limit,
+         const unsigned int dim)
 {
-  double result = materials.front().*value;
+  double result = (materials.front().*limit).smallest(dim);
   for (const auto &material : materials)
-    result = std::min(result, material.*value);
+    result = std::min(result, (material.*limit).smallest(dim));
   return result;
 }
 } // namespace
@@ -298,7 +203,7 @@ void
 MaterialParameters<dim>::add_work_of_edge(const double width)
 {
   for (auto &material : materials)
-    material.toughness += width * 2 * material.shear_limit;
+    material.toughness.add(width * 2, material.shear_limit);
 }
 
 
@@ -307,7 +212,7 @@ template <int dim>
 double
 MaterialParameters<dim>::smallest_shear_limit() const
 {
-  return smallest(materials, &Material::shear_limit);
+  return smallest(materials, &Material::shear_limit, dim);
 }
 
 
@@ -316,7 +221,7 @@ template <int dim>
 double
 MaterialParameters<dim>::smallest_toughness() const
 {
-  return smallest(materials, &Material::toughness);
+  return smallest(materials, &Material::toughness, dim);
 }
 
 
@@ -351,7 +256,20 @@ MaterialParameters<dim>::is_linear() const
 {
   return std::all_of(
     materials.begin(), materials.end(), [](const Material &material) {
-      return material.law->linear() != nullptr;
+      return material.law->is_linear();
+    });
+}
+
+
+
+template <int dim>
+bool
+MaterialParameters<dim>::is_hookean() const
+{
+  return std::all_of(
+    materials.begin(), materials.end(), [](const Material &material) {
+      return material.law->is_linear() &&
+             material.law->anisotropic_stiffness() == nullptr;
     });
 }
 

@@ -229,7 +229,8 @@ internal_forces(const ElasticModel<dim> &model, const LA::Vector &displacement)
 {
   if (!model.is_linear())
     return evaluate_laws(model, displacement).forces;
-  if (model.discretization.type == ElementType::linear)
+  if (model.discretization.type == ElementType::linear ||
+      !model.materials.is_hookean())
     return internal_forces(model.discretization,
                            model.stiffness,
                            model.discretization.with_ghosts(displacement));

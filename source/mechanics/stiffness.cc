@@ -7,6 +7,7 @@
 
 #include <setsudan/mechanics/dilatation.h>
 #include <setsudan/mechanics/stiffness.h>
+#include <setsudan/mechanics/strain_and_stress.h>
 
 namespace Setsudan
 {
@@ -61,14 +62,31 @@ void
 ElementStiffness<dim>::integrate(const Cell &cell,
                                  const Material &material) const
 {
+  const unsigned int n = matrix.m();
+  fe_values.reinit(cell);
+  matrix = 0;
+  if (const auto *const stiffness = material.law->anisotropic_stiffness())
+    add_lower_half(*stiffness);
+  else
+    add_lower_half(material.at_rest, material.is_mixed);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+      matrix(j, i) = matrix(i, j);
+  ++integrations;
+}
+
+
+
+template <int dim>
+void
+ElementStiffness<dim>::add_lower_half(const Hooke &material,
+                                      const bool is_mixed) const
+{
   const FEValuesExtractors::Vector displacement(0);
   const unsigned int n = matrix.m();
   std::vector<SymmetricTensor<2, dim>> strain(n);
-
-  fe_values.reinit(cell);
-  const auto dilatation    = dilatations(material.is_mixed);
-  const auto &[lambda, mu] = material.at_rest;
-  matrix                   = 0;
+  const auto dilatation    = dilatations(is_mixed);
+  const auto &[lambda, mu] = material;
   for (const unsigned int q : fe_values.quadrature_point_indices())
     {
       for (unsigned int i = 0; i < n; ++i)
@@ -79,10 +97,30 @@ ElementStiffness<dim>::integrate(const Cell &cell,
                            2 * mu * (strain[i] * strain[j])) *
                           fe_values.JxW(q);
     }
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < i; ++j)
-      matrix(j, i) = matrix(i, j);
-  ++integrations;
+}
+
+
+
+template <int dim>
+void
+ElementStiffness<dim>::add_lower_half(
+  const SymmetricTensor<4, 3> &stiffness) const
+{
+  const FEValuesExtractors::Vector displacement(0);
+  const unsigned int n = matrix.m();
+  std::vector<SymmetricTensor<2, 3>> strain(n);
+  for (const unsigned int q : fe_values.quadrature_point_indices())
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        strain[i] =
+          symmetrize(in_space(fe_values[displacement].gradient(i, q)));
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto stress = stiffness * strain[i] * fe_values.JxW(q);
+          for (unsigned int j = 0; j <= i; ++j)
+            matrix(i, j) += stress * strain[j];
+        }
+    }
 }
 
 

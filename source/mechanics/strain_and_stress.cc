@@ -84,6 +84,8 @@ stress_of(const Material &material,
                          in_space(gradient),
                          material.is_mixed ? of_cell(position)
                                            : std::optional<double>());
+  if (const auto *const stiffness = material.law->anisotropic_stiffness())
+    return *stiffness * symmetrize(in_space(gradient));
   const SymmetricTensor<2, dim> strain = symmetrize(gradient);
   return material.is_mixed ? material.at_rest.stress(strain, of_cell(position))
                            : material.at_rest.stress(strain);

@@ -361,7 +361,8 @@ const RowArea &
 CutBody<dim>::area_of_row(const unsigned int row)
 {
   if (areas.empty())
-    areas = row_areas(strips(), surface(), materials, newest_seam->rows());
+    areas = row_areas(
+      strips(), the_scene.body, surface(), materials, newest_seam->rows());
   return areas[row];
 }
 

@@ -106,10 +106,12 @@ material_for(const Parameters &parameters,
                          "Yield",
                          "Criterion",
                          "energy release where Blade/Edge radius is given");
-      parameters.require(parameters.is_given("Material", "Shear limit"),
-                         "Material",
-                         "Shear limit",
-                         "given where Blade/Edge radius is");
+      parameters.require(
+        parameters.is_given("Material", "Shear limit") ||
+          parameters.is_given("Material", "Shear limit by axis"),
+        "Material",
+        "Shear limit",
+        "given where Blade/Edge radius is");
       material.add_work_of_edge(2 * blade.edge_radius *
                                 (1 + blade.sliding.friction));
     }

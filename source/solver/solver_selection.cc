@@ -53,6 +53,9 @@ SolverSelection<dim>::choice(const ElasticModel<dim> &model) const
             "in each step of Newton's method, " +
               choose_solver(parameters, size).reason};
   const auto chosen = choose_solver(parameters, size);
+  if (chosen.kind == SolverKind::matrix_free && !model.materials.is_hookean())
+    return {choose_assembled(parameters, size),
+            "since all ways without a matrix are for isotropic materials"};
   if (chosen.kind == SolverKind::matrix_free && has_fallen_back)
     return {choose_fallback(size), "since multigrid has failed"};
   return chosen;

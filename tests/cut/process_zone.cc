@@ -50,8 +50,8 @@ test_zone(const std::string &n_elements, const double radius)
   if (dim == 3)
     at_edge[1] = 0;
 
-  const auto stresses =
-    stresses_in_zones<dim>(small.model, {center, on_face, at_edge}, radius, u);
+  const auto stresses = stresses_in_zones<dim>(
+    small.model, {{center, {}}, {on_face, {}}, {at_edge, {}}}, radius, u);
   std::vector<double> weights(3);
   for (const auto &sample : stresses.samples)
     weights[sample.zone] += sample.weight;

@@ -52,7 +52,8 @@ print(const Assignments &assignments)
       const double lambda = material.at_rest.lambda, mu = material.at_rest.mu;
       std::cout << (element == 0 ? "  " : ", ") << materials.number(element)
                 << ": " << mu * (3 * lambda + 2 * mu) / (lambda + mu) << " "
-                << lambda / (2 * (lambda + mu)) << " " << material.shear_limit;
+                << lambda / (2 * (lambda + mu)) << " "
+                << material.shear_limit.smallest(2);
     }
   std::cout << "; smallest limit " << materials.smallest_shear_limit()
             << std::endl;

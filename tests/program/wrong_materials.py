@@ -12,6 +12,10 @@ PLASTIC = {YIELD: "0.5"}
 VISCOUS = "Material/Viscous"
 RELAXING = {VISCOUS: "0.5 : 1"}
 TIMED = {"Time/Steps": "1 : 2"}
+MODULI, RATIOS, SHEAR = (f"Material/{name}" for name in (
+    "Young's moduli", "Poisson's ratios", "Shear moduli"))
+ORTHOTROPIC = {MODULI: "10, 1, 1", RATIOS: "0.3, 0.3, 0.03", SHEAR: "0.5, 0.4, 0.5"}
+AXES = "Material/Axes"
 
 WRONG_MATERIALS = [
     (NU, "0.5", "greater than -1 and less than 0.5"),
@@ -119,6 +123,31 @@ WRONG_MATERIALS = [
     ("Time/Tolerance", "1e-3", "0 where Time/Steps is empty"),
     ("Time/Tolerance", "-1", "not negative", TIMED),
     ("Time/Tolerance", "2", "less than 1", TIMED),
+    (MODULI, "10, 1", "'E1, E2, E3', 3 numbers greater than 0", ORTHOTROPIC),
+    (MODULI, "10, 1, 0", "3 numbers greater than 0", ORTHOTROPIC),
+    (MODULI, "10, 1, nan", PATTERN, ORTHOTROPIC),
+    (MODULI, "10, 1, 1; cream : 1, 1, 1", "'cream' is none of them", ORTHOTROPIC),
+    (RATIOS, "0.3, 0.3", "'nu12, nu23, nu31', 3 numbers", ORTHOTROPIC),
+    (RATIOS, "0.3, 0.3, 0.3", "every strain stores energy", ORTHOTROPIC),
+    (RATIOS, "3.2, 0, 0", "every strain stores energy", ORTHOTROPIC),
+    (RATIOS, "", "three numbers where Material/Young's moduli", ORTHOTROPIC),
+    (RATIOS, "0, 0, 0", "nothing where no Material/Young's moduli"),
+    (SHEAR, "", "three numbers where Material/Young's moduli", ORTHOTROPIC),
+    (SHEAR, "1, 1, 1", "nothing where no Material/Young's moduli"),
+    (SHEAR, "1, 1, -1", "3 numbers greater than 0", ORTHOTROPIC),
+    (AXES, "1, 0, 0, 0.1, 1, 0", "at right angles"),
+    (AXES, "0, 0, 0, 0, 1, 0", "not zero"),
+    (AXES, "1, 0, 0, 0, 0, 0", "not zero"),
+    (AXES, "1, 0, 0", "6 numbers"),
+    (AXES, "", "6 numbers"),
+    ("Material/Toughness by axis", "1, 2", "'R1, R2, R3', 3 numbers greater than 0"),
+    ("Material/Toughness by axis", "1, 2, 0", "greater than 0"),
+    ("Material/Shear limit by axis", "1", "'s1, s2, s3', 3 numbers greater than 0"),
+    ("Material/Formulation", "mixed", "auto or displacement where", ORTHOTROPIC),
+    (YIELD, "1", "0 where Material/Young's moduli", ORTHOTROPIC),
+    (LAW, "neo-Hooke", "auto or linear elastic where", {**ORTHOTROPIC, **FINITE}),
+    ("Output/CalculiX decks", "true", "orthotropic linear elastic",
+     {**ORTHOTROPIC, **FINITE}),
     (E, "5; cream : 0.5", "and 'cream' is none of them"),
     (E, "5; top : 0.5", "groups of elements, and 'top' is none"),
     (E, "top : 0.5", "groups of elements, and 'top' is none"),

@@ -62,6 +62,10 @@ WRONG_VALUES = {
         ("Body/Rotate", "x : 90", "'axis : angle' with an axis of z"),
     ],
     ("material", 3): WRONG_MATERIALS,
+    ("material", 2): [
+        ("Material/Axes", "1, 0, 0, 0, 1, 1", "of which one is z"),
+        ("Material/Axes", "1, 0, 1, 0, 1, 0", "of which one is z"),
+    ],
     ("support", 3): [
         ("Support/Fixed faces", "floor", '"left" (1, faces), "right" (2, faces)'),
         ("Support/Fixed faces", "bottom top", '"left" (1, faces), "right" (2, faces)'),

@@ -80,4 +80,5 @@ def main():
     print(f"{len(lines)} events agree to {options.tolerance}")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deal.II/base/array_view.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <cmath>
@@ -9,7 +10,6 @@
 
 namespace Setsudan
 {
-class Hooke;
 class FiniteStrainLaw;
 class HyperelasticLaw;
 class SmallStrainLaw;
@@ -95,10 +95,17 @@ public:
     return "a law of this program's";
   }
 
-  /** The constants of a law whose tangent never changes, or null. A body of
-   * such laws only is linear, and is left to the fast kernels. */
-  virtual const Hooke *
-  linear() const
+  /** Whether the tangent never changes. A body of such laws only is linear. */
+  virtual bool
+  is_linear() const
+  {
+    return false;
+  }
+
+  /** The stiffness of a law that is linear but not isotropic, or null: to the
+   * fast kernels it is unknown [force/area]. */
+  virtual const dealii::SymmetricTensor<4, 3> *
+  anisotropic_stiffness() const
   {
     return nullptr;
   }

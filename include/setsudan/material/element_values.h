@@ -29,17 +29,26 @@ read_numbers(const Parameters &parameters,
              const std::string &allowed,
              bool (*is_allowed)(double));
 
-/** The same of numbers that are given together, separated by ','.
- *
- * @param kind what they are, in words. */
+/** Numbers that are given together, separated by ','. */
+struct NumberList
+{
+  /** What they are, in words. */
+  std::string kind;
+  unsigned int n_numbers;
+  /** What each must fulfil, in words behind their number. */
+  std::string allowed;
+  bool (*is_allowed)(double);
+  /** Whether a list may be empty, and is where groups leave elements out. */
+  bool may_be_empty = false;
+};
+
+/** The same of such lists. */
 template <int dim>
 ElementValues<std::vector<double>>
 read_lists(const Parameters &parameters,
            const Body<dim> &body,
            const std::string &name,
-           const std::string &kind,
-           const unsigned int n_numbers,
-           bool (*is_allowed)(double));
+           const NumberList &list);
 
 /** The same of pairs of numbers 'first : second', separated by ','; they may be
  * none.

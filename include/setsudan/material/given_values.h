@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <setsudan/material/directional_values.h>
 #include <setsudan/material/element_values.h>
 #include <setsudan/material/viscoelasticity.h>
 
@@ -18,7 +19,7 @@ class GivenValues
 public:
   /** Young's modulus, Poisson's ratio, shear limit, toughness, yield stress,
    * its isotropic and kinematic hardening, how shear and bulk modulus relax,
-   * and the law. */
+   * the law, and what depends on the direction. */
   using OfElement = std::tuple<double,
                                double,
                                double,
@@ -27,7 +28,8 @@ public:
                                std::vector<double>,
                                Relaxation::Terms,
                                Relaxation::Terms,
-                               std::string>;
+                               std::string,
+                               typename DirectionalValues<dim>::OfElement>;
 
   /** @throw SceneError for a value that no material has, or a group of elements
    * that the body does not have. */
@@ -45,5 +47,6 @@ private:
   ElementValues<std::vector<double>> hardenings;
   ElementValues<Relaxation::Terms> shear_terms, bulk_terms;
   ElementValues<std::string> names;
+  const DirectionalValues<dim> directional;
 };
 } // namespace Setsudan

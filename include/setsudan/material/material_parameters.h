@@ -2,6 +2,7 @@
 #pragma once
 
 #include <setsudan/body/body.h>
+#include <setsudan/material/cut_limit.h>
 #include <setsudan/material/law_parameters.h>
 #include <setsudan/parameters/parameters.h>
 
@@ -14,12 +15,14 @@ namespace Setsudan
 /** What a part of the body is made of. */
 struct Material
 {
-  /** How it answers to small strains. */
+  /** How it answers to small strains; of an orthotropic material the isotropic
+   * mean, for scales only. */
   Hooke at_rest;
   std::shared_ptr<const ConstitutiveLaw> law;
-  double shear_limit;
+  /** [force/area] */
+  CutLimit shear_limit;
   /** Energy per new area that a blade of sharpness 0 needs [force/length]. */
-  double toughness;
+  CutLimit toughness;
   /** Whether the change of volume is projected (see Dilatation). */
   bool is_mixed;
 };
@@ -80,6 +83,11 @@ public:
   /** Whether the laws of all are linear. */
   bool
   is_linear() const;
+
+  /** Whether the laws of all are linear and isotropic, as the kernels without a
+   * matrix need it. */
+  bool
+  is_hookean() const;
 
   /** Whether any stays deformed beyond a limit. */
   bool

@@ -55,10 +55,10 @@ class LinearElasticity : public SmallStrainLaw
 public:
   explicit LinearElasticity(const Hooke &hooke);
 
-  const Hooke *
-  linear() const override
+  bool
+  is_linear() const override
   {
-    return &hooke;
+    return true;
   }
 
   SmallStrainResponse

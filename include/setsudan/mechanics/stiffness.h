@@ -43,6 +43,15 @@ private:
   void
   integrate(const Cell &cell, const Material &material) const;
 
+  /** Add the lower half of the present cell's matrix, of an isotropic
+   * material. */
+  void
+  add_lower_half(const Hooke &material, const bool is_mixed) const;
+
+  /** The same of any stiffness. */
+  void
+  add_lower_half(const dealii::SymmetricTensor<4, 3> &stiffness) const;
+
   /** The change of volume that each shape function makes at each Gauss point
    * of the present cell. */
   std::vector<std::vector<double>>

@@ -43,15 +43,22 @@ share_out(const SurfaceStrip &strip,
 template <int dim>
 std::vector<RowArea>
 row_areas(const std::vector<SurfaceStrip> &strips,
+          const Body<dim> &body,
           const CutSurface<dim> &surface,
           const MaterialParameters<dim> &materials,
           const std::vector<Row> &rows)
 {
   std::vector<double> toughness;
-  for (const auto &face : surface)
-    toughness.push_back(
-      std::min(materials.of_element(face.minus.first).toughness,
-               materials.of_element(face.plus.first).toughness));
+  const auto normals = areas_of_faces(body, surface);
+  for (unsigned int f = 0; f < surface.size(); ++f)
+    {
+      const auto normal = normals[f] / normals[f].norm();
+      const auto across = [&](const unsigned int element) {
+        return materials.of_element(element).toughness.across(normal);
+      };
+      toughness.push_back(std::min(across(surface[f].minus.first),
+                                   across(surface[f].plus.first)));
+    }
   std::vector<RowArea> areas(rows.size());
   for (const auto &strip : strips)
     share_out(strip, toughness[strip.face], rows, areas);
@@ -62,11 +69,13 @@ row_areas(const std::vector<SurfaceStrip> &strips,
 
 template std::vector<RowArea>
 row_areas(const std::vector<SurfaceStrip> &,
+          const Body<2> &,
           const CutSurface<2> &,
           const MaterialParameters<2> &,
           const std::vector<Row> &);
 template std::vector<RowArea>
 row_areas(const std::vector<SurfaceStrip> &,
+          const Body<3> &,
           const CutSurface<3> &,
           const MaterialParameters<3> &,
           const std::vector<Row> &);

@@ -42,14 +42,16 @@ stresses_at_nodes(const ElasticModel<dim> &model,
       std::vector<SymmetricTensor<2, 3>> recovered_at;
       if (recovered)
         recovered_at = recovered->evaluate(at.cell, evaluator);
-      const double shear_limit =
+      const CutLimit &shear_limit =
         model.materials.of_element(discretization.element(at.cell)).shear_limit;
       for (unsigned int i = 0; i < at.nodes.size(); ++i)
-        stresses.samples.push_back(
-          {recovered ? recovered_at[at.nodes[i]]
-                     : evaluator.stress(at.nodes[i]),
-           shear_limit,
-           in_space(seam.pairs()[at.pairs[i]].normal)});
+        {
+          const auto &normal = seam.pairs()[at.pairs[i]].normal;
+          stresses.samples.push_back({recovered ? recovered_at[at.nodes[i]]
+                                                : evaluator.stress(at.nodes[i]),
+                                      shear_limit.across(normal),
+                                      in_space(normal)});
+        }
     }
   return stresses;
 }
@@ -57,13 +59,13 @@ stresses_at_nodes(const ElasticModel<dim> &model,
 
 
 template <int dim>
-std::vector<Point<dim>>
-positions(const Seam<dim> &seam, const Row &row)
+std::vector<ProcessZone<dim>>
+zones_at(const Seam<dim> &seam, const Row &row)
 {
-  std::vector<Point<dim>> result;
+  std::vector<ProcessZone<dim>> zones;
   for (const unsigned int pair : row.front)
-    result.push_back(seam.pairs()[pair].position);
-  return result;
+    zones.push_back({seam.pairs()[pair].position, seam.pairs()[pair].normal});
+  return zones;
 }
 } // namespace
 
@@ -81,7 +83,7 @@ front_stresses(const ElasticModel<dim> &model,
   if (yield.criterion != YieldParameters::Criterion::mean_shear)
     return stresses_at_nodes(model, seam, cells, row, displacement, recovered);
   return stresses_in_zones(
-    model, positions(seam, row), yield.process_zone, displacement, recovered);
+    model, zones_at(seam, row), yield.process_zone, displacement, recovered);
 }
 
 

@@ -56,20 +56,20 @@ private:
 
 
 
-/** The centers of zones that a cell may reach into. */
+/** The zones that a cell may reach into. */
 template <int dim>
 std::vector<unsigned int>
 zones_near(const typename Discretization<dim>::Cell &cell,
-           const std::vector<Point<dim>> &centers,
+           const std::vector<ProcessZone<dim>> &zones,
            const double radius)
 {
-  std::vector<unsigned int> zones;
+  std::vector<unsigned int> near;
   // Curved sides bulge by less than the diameter.
   const double reach = radius + cell->diameter();
-  for (unsigned int z = 0; z < centers.size(); ++z)
-    if (cell->center().distance(centers[z]) < reach)
-      zones.push_back(z);
-  return zones;
+  for (unsigned int z = 0; z < zones.size(); ++z)
+    if (cell->center().distance(zones[z].center) < reach)
+      near.push_back(z);
+  return near;
 }
 
 
@@ -95,7 +95,7 @@ check_zones(const FrontStresses &stresses, const MPI_Comm communicator)
 template <int dim>
 FrontStresses
 stresses_in_zones(const ElasticModel<dim> &model,
-                  const std::vector<Point<dim>> &centers,
+                  const std::vector<ProcessZone<dim>> &zones,
                   const double radius,
                   const LA::Vector &displacement,
                   const RecoveredStress<dim> *recovered)
@@ -103,30 +103,34 @@ stresses_in_zones(const ElasticModel<dim> &model,
   const auto &discretization = model.discretization;
   RepeatedRules<dim> rules(model);
   FrontStresses stresses;
-  stresses.n_zones = centers.size();
+  stresses.n_zones = zones.size();
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     {
       if (!cell->is_locally_owned())
         continue;
-      const auto zones = zones_near<dim>(cell, centers, radius);
-      if (zones.empty())
+      const auto near = zones_near<dim>(cell, zones, radius);
+      if (near.empty())
         continue;
       auto &recovery = rules.for_cell(cell->diameter(), radius);
       recovery.reinit(cell, displacement);
       const auto of_cell =
         recovered ? recovered->evaluate(cell, recovery) : recovery.stresses();
-      const double shear_limit =
+      const CutLimit &shear_limit =
         model.materials.of_element(discretization.element(cell)).shear_limit;
+      std::vector<double> limits;
+      for (const unsigned int zone : near)
+        limits.push_back(shear_limit.across(zones[zone].normal));
       for (unsigned int p = 0; p < recovery.n_points(); ++p)
-        for (const unsigned int zone : zones)
+        for (unsigned int z = 0; z < near.size(); ++z)
           {
-            const double r = recovery.point(p).distance(centers[zone]) / radius;
+            const double r =
+              recovery.point(p).distance(zones[near[z]].center) / radius;
             if (r < 1)
               stresses.samples.push_back(
                 {of_cell[p],
-                 shear_limit,
+                 limits[z],
                  {},
-                 zone,
+                 near[z],
                  recovery.volume(p) * std::pow(1 - r * r, 2)});
           }
     }
@@ -138,13 +142,13 @@ stresses_in_zones(const ElasticModel<dim> &model,
 
 template FrontStresses
 stresses_in_zones(const ElasticModel<2> &,
-                  const std::vector<Point<2>> &,
+                  const std::vector<ProcessZone<2>> &,
                   const double,
                   const LA::Vector &,
                   const RecoveredStress<2> *);
 template FrontStresses
 stresses_in_zones(const ElasticModel<3> &,
-                  const std::vector<Point<3>> &,
+                  const std::vector<ProcessZone<3>> &,
                   const double,
                   const LA::Vector &,
                   const RecoveredStress<3> *);

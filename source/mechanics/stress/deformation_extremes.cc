@@ -213,7 +213,7 @@ include_batch(const ElasticModel<dim> &model,
                      determinant(unit_symmetric_tensor<dim>() + gradient));
           if (p < n_points)
             continue;
-          if (model.is_linear())
+          if (!model.materials.finite_strain)
             include_strain(
               gradient, batch.moduli[gradients.n_lanes + lane], extremes);
           else
@@ -224,14 +224,14 @@ include_batch(const ElasticModel<dim> &model,
 
 
 
-/** Whether gradients are all that strain and stress depend on, and are found
- * in batches. */
+/** Whether gradients are all that strain and stress depend on, in a way that is
+ * known here, and are found in batches. */
 template <int dim>
 bool
 has_local_stress(const ElasticModel<dim> &model)
 {
   return model.discretization.type != ElementType::linear &&
-         (model.is_linear() ||
+         (model.materials.is_hookean() ||
           (model.materials.finite_strain && !model.materials.any_is_mixed() &&
            model.internal.empty()));
 }

@@ -10,14 +10,17 @@ using namespace dealii;
 
 namespace
 {
-/** stress : strain, with the strain that Hooke's law gives to it. */
+/** stress : strain, with the strain that a linear law gives to it. */
 double
-energy_density(const Hooke &material, const SymmetricTensor<2, 3> &stress)
+energy_density(const Material &material, const SymmetricTensor<2, 3> &stress)
 {
+  if (const auto *const stiffness = material.law->anisotropic_stiffness())
+    return stress * (invert(*stiffness) * stress);
+  const auto &[lambda, mu]  = material.at_rest;
   const auto shear          = deviator(stress);
-  const double bulk_modulus = material.lambda + 2 * material.mu / 3;
+  const double bulk_modulus = lambda + 2 * mu / 3;
   const double mean         = trace(stress) / 3;
-  return shear * shear / (2 * material.mu) + mean * mean / bulk_modulus;
+  return shear * shear / (2 * mu) + mean * mean / bulk_modulus;
 }
 } // namespace
 
@@ -37,8 +40,8 @@ estimate_error(const ElasticModel<dim> &model,
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        const Hooke &material =
-          model.materials.of_element(discretization.element(cell)).at_rest;
+        const Material &material =
+          model.materials.of_element(discretization.element(cell));
         recovery.reinit(cell, displacement);
         const auto smooth = recovered.evaluate(cell, recovery);
         double square     = 0;

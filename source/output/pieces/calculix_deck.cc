@@ -111,9 +111,15 @@ private:
     for (const auto &[number, material] : problem.materials)
       {
         out << "*MATERIAL, NAME=MATERIAL_" << number << '\n'
-            << calculix_material(material).value()
-            << "*SOLID SECTION, ELSET=MATERIAL_" << number
-            << ", MATERIAL=MATERIAL_" << number << '\n';
+            << calculix_material(material).value();
+        const auto orientation = calculix_orientation(material);
+        if (orientation)
+          out << "*ORIENTATION, NAME=AXES_" << number << '\n' << *orientation;
+        out << "*SOLID SECTION, ELSET=MATERIAL_" << number
+            << ", MATERIAL=MATERIAL_" << number;
+        if (orientation)
+          out << ", ORIENTATION=AXES_" << number;
+        out << '\n';
         if (dim == 2)
           out << "1.\n";
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <setsudan/material/decoupled_law.h>
+#include <setsudan/material/orthotropic_elasticity.h>
 #include <setsudan/output/pieces/calculix_material.h>
 
 #include <iomanip>
@@ -64,13 +65,46 @@ ogden(const Ogden &law)
   return card("*HYPERELASTIC, OGDEN, N=" + std::to_string(law.terms.size()),
               values);
 }
+/** nu13 follows from nu31. */
+std::string
+engineering_constants(const OrthotropicConstants &constants)
+{
+  const auto &[E, nu, G, axes] = constants;
+  return card(
+    "*ELASTIC, TYPE=ENGINEERING CONSTANTS",
+    {E[0], E[1], E[2], nu[0], nu[2] * E[0] / E[2], nu[1], G[0], G[2], G[1]});
+}
+
+const OrthotropicElasticity *
+orthotropic(const Material &material)
+{
+  return dynamic_cast<const OrthotropicElasticity *>(material.law.get());
+}
 } // namespace
+
+
+std::optional<std::string>
+calculix_orientation(const Material &material)
+{
+  const auto *const law = orthotropic(material);
+  if (law == nullptr)
+    return {};
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(n_constant_digits);
+  for (const unsigned int axis : {0, 1})
+    for (unsigned int d = 0; d < 3; ++d)
+      text << (axis + d == 0 ? "" : ", ") << law->constants.axes[axis][d];
+  return text.str() + "\n";
+}
+
 
 
 std::optional<std::string>
 calculix_material(const Material &material)
 {
   const auto *const finite = material.law->hyperelastic();
+  if (const auto *const law = orthotropic(material))
+    return engineering_constants(law->constants);
   if (finite == nullptr)
     return card("*ELASTIC",
                 {material.at_rest.youngs_modulus(),

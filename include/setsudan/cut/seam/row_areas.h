@@ -15,7 +15,7 @@ struct RowArea
   /** Of one side [length^2; in 2D length]. */
   double area = 0;
   /** The energy that this takes with a blade of sharpness 0: the integral of
-   * the smaller toughness of the two sides. */
+   * the smaller toughness of the two sides across the faces' mean normals. */
   double energy = 0;
 };
 
@@ -26,6 +26,7 @@ struct RowArea
 template <int dim>
 std::vector<RowArea>
 row_areas(const std::vector<SurfaceStrip> &strips,
+          const Body<dim> &body,
           const CutSurface<dim> &surface,
           const MaterialParameters<dim> &materials,
           const std::vector<Row> &rows);

@@ -13,7 +13,7 @@ namespace Setsudan
 struct FrontStress
 {
   dealii::SymmetricTensor<2, 3> stress;
-  /** Of the material there. */
+  /** Of the material there, across the cut. */
   double shear_limit;
   /** Unit normal of the cut, at its nodes. */
   dealii::Tensor<1, 3> normal = {};

@@ -7,6 +7,15 @@
 
 namespace Setsudan
 {
+/** A ball around a node of the front. */
+template <int dim>
+struct ProcessZone
+{
+  dealii::Point<dim> center;
+  /** Unit normal of the cut there. */
+  dealii::Tensor<1, dim> normal;
+};
+
 /**
  * The stresses in balls around points, weighted by volume and by
  * (1 - (r / radius)^2)^2, the bell-shaped function of nonlocal damage models
@@ -24,7 +33,7 @@ namespace Setsudan
 template <int dim>
 FrontStresses
 stresses_in_zones(const ElasticModel<dim> &model,
-                  const std::vector<dealii::Point<dim>> &centers,
+                  const std::vector<ProcessZone<dim>> &zones,
                   const double radius,
                   const LA::Vector &displacement,
                   const RecoveredStress<dim> *recovered = nullptr);

@@ -16,4 +16,9 @@ namespace Setsudan
  */
 std::optional<std::string>
 calculix_material(const Material &material);
+
+/** The line behind *ORIENTATION, its first two axes, of a material that has
+ * axes. */
+std::optional<std::string>
+calculix_orientation(const Material &material);
 } // namespace Setsudan
