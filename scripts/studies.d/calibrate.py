@@ -19,6 +19,8 @@ from measured_curve import cells_around, mean_forces, read_curve, work_of
 from program import Program, Refusal, read_run
 from study_file import names_of, words
 
+QUIET = {"Output/Frames": "none", "Output/Node tables": "false",
+         "Output/CalculiX decks": "false"}
 FAR = 1e9  # times the data's travel: beyond the end of any cut
 
 
@@ -33,7 +35,8 @@ class Model:
         stops = list(self.ends[self.ends > 0])
         if not self.parameters["Board/Plane"]:  # which ends the way
             stops.append(FAR * stops[-1])
-        self.settings = {"Blade/Travel": ", ".join(f"{stop:.12g}" for stop in stops)}
+        self.settings = {**QUIET,
+                         "Blade/Travel": ", ".join(f"{stop:.12g}" for stop in stops)}
         program.parameters(self.settings, directory)
         self.runs = {}
 
@@ -122,14 +125,14 @@ def calibrate(model, data):
     import least_squares  # takes a second
     start = np.array([parameter.inward(parameter.start) for parameter in model.free])
     names = [parameter.name for parameter in model.free]
-    refuse_beyond(model, start, data)
+    refuse_beyond(model, start)
     slopes = least_squares.Slopes(model.jacobian,
                                   np.array([parameter.step for parameter in model.free]))
     least_squares.refuse_without_effect(names, slopes(start), data.force)
     found = least_squares.fit(model, slopes, data.force, start, bounds_of(model.free))
     x = found.x
     jacobian, fitted = slopes(x), model(x)
-    refuse_beyond(model, x, data)
+    refuse_beyond(model, x)
     least_squares.refuse_without_effect(names, jacobian, data.force)
     condition = least_squares.refuse_together(names, jacobian)
     result = least_squares.describe(jacobian, data.force - fitted)
@@ -151,11 +154,13 @@ def row_of(parameter, x, half_width):
         at_bound=at_bound)
 
 
-def refuse_beyond(model, x, data):
+def refuse_beyond(model, x):
+    """Raises Refusal where the last cell of the data is not within the cut."""
     end = model.work(x)[0, -1]
-    if data.travel[-1] > end:
-        raise Refusal(f"the curve goes to a travel of {data.travel[-1]:g}, beyond the end "
-                      f"of the cut at {end:g} with {words(model.settings_at(x))}")
+    if model.ends[-1] > (1 + 1e-9) * end:
+        raise Refusal(f"the curve goes to a travel of {model.ends[-1]:g}, with the last "
+                      f"point's part, beyond the end of the cut at {end:g} with "
+                      f"{words(model.settings_at(x))}")
 
 
 def notes(model, result):
