@@ -27,7 +27,11 @@ def main(options):
     runs = [None if failure else read_run(study.directory / name)
             for name, failure in zip(study.names, failures)]
     write_table(study, runs)
-    draw(study, runs)
+    try:
+        draw(study, runs)
+    except Refusal as refusal:
+        print(f"scripts/study: {refusal}.", file=sys.stderr)
+        return 1
     print(f"{len(runs)} runs, {sum(map(bool, failures))} failed; "
           f"{study.directory / 'study.csv'}")
     return 1 if any(failures) else 0
@@ -38,7 +42,9 @@ def check(study, program):
     is written."""
     def wrong_with(settings, name):
         try:
-            program.parameters(settings, study.directory / name)
+            parameters = program.parameters(settings, study.directory / name)
+            if study.sheet and parameters["Output/Frames"] == "none":
+                raise Refusal("Output/Frames is none, and a sheet needs frames")
         except Refusal as refusal:
             return f"with {words(settings)}: {refusal}"
         return None
@@ -88,6 +94,9 @@ def draw(study, runs):
     plot_curves(ended, study.directory / "forces")
     for pair in study.plots:
         plot_pair(ended, pair, study.directory)
+    if study.sheet:
+        from study_sheet import draw_sheet
+        draw_sheet(ended, study.directory / "sheet")
 
 
 if __name__ == "__main__":

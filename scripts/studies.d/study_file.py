@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 from program import Refusal
 
-KEYS = ("scene", "directory", "jobs", "plot", "grid", "run")
+KEYS = ("scene", "directory", "jobs", "plot", "sheet", "grid", "run")
 SUMMARY = ("first_yield", "mean_force", "work", "max_strain", "doubtful_states", "frames",
            "pieces", "processes", "seconds")
 LONGEST = 120  # of the name of a directory
@@ -36,12 +36,15 @@ def read_study(path):
     jobs = table.get("jobs", 1)
     if type(jobs) is not int or jobs < 1:
         raise Refusal(f"jobs of '{path}' must be a whole number of at least 1")
+    if not isinstance(table.get("sheet", False), bool):
+        raise Refusal(f"sheet of '{path}' must be true or false")
     settings = settings_of(path, table)
     # As the program's include and Body/File: where the file is.
     return SimpleNamespace(scene=pathlib.Path(path).parent / scene,
                            directory=pathlib.Path(directory), jobs=jobs,
                            settings=settings, names=names_of(settings),
-                           plots=plots_of(path, table, settings))
+                           plots=plots_of(path, table, settings),
+                           sheet=table.get("sheet", False))
 
 
 def text_of(path, table, key):

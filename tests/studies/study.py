@@ -5,8 +5,10 @@ usage: study.py PROGRAM
 """
 
 import csv
+import importlib.util
 import json
 import pathlib
+import shutil
 import sys
 import tempfile
 
@@ -40,6 +42,8 @@ WRONG = [
     (HEAD + '[grid]\n"Blade/Friction" = [1, 1]\n', "twice"),
     (HEAD + '[grid]\n"Output/Directory" = ["a"]\n', "Output/Directory"),
     (HEAD + 'jobs = 0\n[grid]\n"Blade/Friction" = [1]\n', "jobs"),
+    (HEAD + 'sheet = 1\n[grid]\n"Blade/Friction" = [1]\n', "sheet.*true or false"),
+    (HEAD + 'sheet = true\n[grid]\n"Blade/Friction" = [1]\n', "a sheet needs frames"),
     (HEAD + 'plot = "work"\n[grid]\n"Blade/Friction" = [1]\n', "plot"),
     (HEAD + 'plot = ["work", "Blade/Angle"]\n[grid]\n"Blade/Friction" = [1]\n',
      "Blade/Angle"),
@@ -123,6 +127,28 @@ def check_failure(program, folder):
         raise Failure("a file of somebody else was replaced")
 
 
+def check_sheet(program, folder):
+    """A line for each run, in the same colours; where pictures can be painted."""
+    if not importlib.util.find_spec("vtkmodules") or not shutil.which("xvfb-run"):
+        return
+    heights = []
+    for values in ("0.5", "0.5, 2"):
+        (folder / "sheet.toml").write_text(
+            f'scene = "scene.prm"\ndirectory = "sheets"\nsheet = true\n[grid]\n'
+            f'"Material/Toughness" = [{values}]\n"Output/Frames" = ["stages"]\n')
+        start("study", program, "sheet.toml", folder=folder)
+        pixels = plt.imread(folder / "sheets" / "sheet.png")
+        heights.append(len(pixels))
+        if pixels.min() > 0.5 or (pixels[..., :3].std(axis=2) > 0.1).sum() < 100:
+            raise Failure("the sheet is white or grey")
+    views = [json.loads(path.read_text())
+             for path in (folder / "sheets").rglob("view.json")]
+    if len(views) != 2 or views[0]["range"] != views[1]["range"]:
+        raise Failure("the runs of a sheet have different colours")
+    if not 1.4 * heights[0] < heights[1] < 2 * heights[0]:
+        raise Failure(f"sheets of one and of two runs are {heights} pixels high")
+
+
 def check_refusals(program, folder):
     for text, piece in WRONG:
         (folder / "wrong.toml").write_text(text)
@@ -139,6 +165,7 @@ def main(program):
             check_grid(program, folder)
             check_going_on(program, folder)
             check_failure(program, folder)
+            check_sheet(program, folder)
         except Failure as failure:
             print(f"FAILED: {failure}")
             return 1
@@ -147,4 +174,5 @@ def main(program):
 
 if __name__ == "__main__":
     needs("tomllib", "matplotlib")
+    from matplotlib import pyplot as plt
     sys.exit(main(str(pathlib.Path(sys.argv[1]).resolve())))
