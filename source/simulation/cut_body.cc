@@ -74,16 +74,6 @@ CutBody<dim>::rebuild()
 
 
 template <int dim>
-void
-CutBody<dim>::set_load_factor(const double factor)
-{
-  load_factor = factor;
-  present_model->set_load_factor(factor);
-}
-
-
-
-template <int dim>
 bool
 CutBody<dim>::begin_cut(const Cut<dim> &cut)
 {

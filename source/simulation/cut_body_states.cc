@@ -69,6 +69,16 @@ CutBody<dim>::opening() const
 
 template <int dim>
 void
+CutBody<dim>::set_load_factor(const double factor)
+{
+  load_factor = factor;
+  present_model->set_load_factor(factor);
+}
+
+
+
+template <int dim>
+void
 CutBody<dim>::take_finite_strain()
 {
   materials.take_finite_strain();
@@ -300,6 +310,7 @@ CutBody<dim>::condensed_solver()
   template CutBody<dim>::Constraints CutBody<dim>::constraints() const;       \
   template LA::Vector CutBody<dim>::opening() const;                          \
   template void CutBody<dim>::take_finite_strain();                           \
+  template void CutBody<dim>::set_load_factor(const double);                  \
   template Choice<SolverKind> CutBody<dim>::solver_choice() const;            \
   template Choice<CutStrategy> CutBody<dim>::cut_strategy() const;            \
   template void CutBody<dim>::expect_single_states();                         \

@@ -18,6 +18,13 @@ in_space(const dealii::Tensor<2, dim> &gradient)
   return result;
 }
 
+/** F = 1 + grad u. */
+inline dealii::Tensor<2, 3>
+deformation_gradient(const dealii::Tensor<2, 3> &gradient)
+{
+  return gradient + dealii::unit_symmetric_tensor<3>();
+}
+
 /** The strain at a point: small, or with finite strain U - 1, where F = R U
  * (Biot), whose principal values are those of elongations. */
 template <int dim>
