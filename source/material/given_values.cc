@@ -40,7 +40,7 @@ GivenValues<dim>::GivenValues(const Parameters &parameters,
     return read_pairs(parameters,
                       body,
                       name,
-                      "'relative modulus : relaxation time'",
+                      "relative modulus : relaxation time",
                       "'relative modulus : relaxation time', separated by ',', "
                       "all greater than 0 and moduli that sum to less than 1",
                       [](const std::pair<double, double> &term) {

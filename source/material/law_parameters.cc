@@ -45,8 +45,10 @@ LawParameters::declare(ParameterHandler &handler)
                     "All have Young's modulus and Poisson's ratio at rest. "
                     "auto: isochoric neo-Hooke in the mixed formulation, "
                     "which needs an energy of the volume of its own, linear "
-                    "elastic where Young's moduli are given, and neo-Hooke "
-                    "elsewhere. Small strain always takes Hooke's law.");
+                    "elastic where Young's moduli are given, the law of small "
+                    "strain for logarithmic strain where Yield stress or "
+                    "Viscous is, and neo-Hooke elsewhere. Small strain always "
+                    "takes Hooke's law.");
   Setsudan::declare(handler,
                     "Material",
                     "Volumetric energy",

@@ -10,6 +10,51 @@ namespace Setsudan
 {
 using namespace dealii;
 
+namespace
+{
+/** What makes a material flow and relax. */
+void
+declare_memory(ParameterHandler &handler)
+{
+  Setsudan::declare(handler,
+                    "Material",
+                    "Yield stress",
+                    "0",
+                    Patterns::Anything(),
+                    "The stress at which a bar begins to flow (von Mises), so "
+                    "that it stays deformed; 0 for a material that is elastic. "
+                    "Under finite strain that of Kirchhoff's stress "
+                    "[force/area].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Hardening",
+                    "0, 0",
+                    Patterns::Anything(),
+                    "'isotropic, kinematic': by how much Yield stress rises "
+                    "with the plastic strain of a bar, and by how much the "
+                    "center of its elastic range moves [force/area].");
+  Setsudan::declare(
+    handler,
+    "Material",
+    "Viscous",
+    "",
+    Patterns::Anything(),
+    "'relative modulus : relaxation time', several separated by ',', as in "
+    "'0.5 : 0.1, 0.2 : 30', or 'group : ...' separated by ';': the parts of "
+    "the shear modulus that relax, and the times in which they fall to 1/e. "
+    "Young's modulus and Poisson's ratio are those of a sudden strain. Time "
+    "comes from Blade/Speed, Blade/Travel and Time/Steps; empty for a material "
+    "without time [-] : [time].");
+  Setsudan::declare(handler,
+                    "Material",
+                    "Viscous bulk",
+                    "",
+                    Patterns::Anything(),
+                    "The same of the bulk modulus [-] : [time].");
+}
+} // namespace
+
+
 template <int dim>
 void
 MaterialParameters<dim>::declare(ParameterHandler &handler)
@@ -47,40 +92,7 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     "needs, with the criterion energy release; greater than 0 "
                     "[force/length].");
   DirectionalValues<dim>::declare(handler);
-  Setsudan::declare(handler,
-                    "Material",
-                    "Yield stress",
-                    "0",
-                    Patterns::Anything(),
-                    "The stress at which a bar begins to flow (von Mises), so "
-                    "that it stays deformed; 0 for a material that is elastic. "
-                    "With Deformation/Strain = small [force/area].");
-  Setsudan::declare(handler,
-                    "Material",
-                    "Hardening",
-                    "0, 0",
-                    Patterns::Anything(),
-                    "'isotropic, kinematic': by how much Yield stress rises "
-                    "with the plastic strain of a bar, and by how much the "
-                    "center of its elastic range moves [force/area].");
-  Setsudan::declare(
-    handler,
-    "Material",
-    "Viscous",
-    "",
-    Patterns::Anything(),
-    "'relative modulus : relaxation time', several separated by ',', as in "
-    "'0.5 : 0.1, 0.2 : 30', or 'group : ...' separated by ';': the parts of "
-    "the shear modulus that relax, and the times in which they fall to 1/e. "
-    "Young's modulus and Poisson's ratio are those of a sudden strain. Time "
-    "comes from Blade/Speed, Blade/Travel and Time/Steps; empty for a material "
-    "without time [-] : [time].");
-  Setsudan::declare(handler,
-                    "Material",
-                    "Viscous bulk",
-                    "",
-                    Patterns::Anything(),
-                    "The same of the bulk modulus [-] : [time].");
+  declare_memory(handler);
   Setsudan::declare(handler,
                     "Material",
                     "Formulation",

@@ -181,7 +181,9 @@ Viscoelasticity::respond(const SymmetricTensor<2, 3> &strain,
       response.lambda += lambda * decay.gained;
       const double stored = product(lambda, mu, elastic, elastic) / 2;
       response.energy.stored += stored;
-      response.energy.potential += stored / decay.gained;
+      // In a step without end the spring has nothing left.
+      if (decay.gained > 0)
+        response.energy.potential += stored / decay.gained;
       heat += decay.gained * product(lambda, mu, spring, change) +
               decay.work * product(lambda, mu, change, change) +
               product(lambda, mu, spring, spring) / 2 - stored;

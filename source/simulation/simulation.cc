@@ -277,8 +277,11 @@ Simulation<dim>::split_nodes()
   state.opening      = body.model().discretization.zero_vector();
   state.internal     = internal_forces(body.model(), state.displacement);
 
+  // The same blade, by the new unknowns.
+  state.blade = body.blade_on_row(0);
+
   // A fully tied seam is the uncut body: what is solved stays in equilibrium.
-  const double unbalanced = unbalanced_part(body, body.blade_on_row(0), state);
+  const double unbalanced = unbalanced_part(body, state.blade, state);
   std::ostringstream line;
   line.precision(2);
   line << "  seam of " << body.seam().n_double_pairs()

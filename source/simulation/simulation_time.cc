@@ -22,13 +22,11 @@ Simulation<dim>::set_time(const double time)
     event.time = time;
   if (!scene.blade.travels)
     return;
-  if (!state.motion)
-    {
-      state.motion                 = BladeMotion();
-      state.motion->energy_at_rest = energy_under_loads(state);
-    }
-  state.motion->time = time;
-  event.motion       = state.motion;
+  // The blade has not come yet.
+  state.motion                 = BladeMotion();
+  state.motion->energy_at_rest = energy_under_loads(state);
+  state.motion->time           = time;
+  event.motion                 = state.motion;
 }
 
 

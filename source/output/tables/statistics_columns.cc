@@ -77,7 +77,7 @@ columns_of_cut()
            &Event::frame),
     {"event",
      "-",
-     "rest, deform, travel, yield, release, arrest or divide: see below.",
+     "rest, deform, time, travel, yield, release, arrest or divide: see below.",
      [](const Event &event) { return event.name; }},
     column("cut", "-", "The cut, from 0.", &Event::cut),
     column(
