@@ -54,7 +54,8 @@ MaterialParameters<dim>::declare(ParameterHandler &handler)
                     Patterns::Anything(),
                     "The stress at which a bar begins to flow (von Mises), so "
                     "that it stays deformed; 0 for a material that is elastic. "
-                    "With Deformation/Strain = small [force/area].");
+                    "Under finite strain it is that of logarithmic strain "
+                    "[force/area].");
   Setsudan::declare(handler,
                     "Material",
                     "Hardening",
