@@ -16,11 +16,12 @@ RENDER = pathlib.Path(__file__).resolve().parents[1] / "render"
 HEAD = 0.24  # inches, of a run's settings
 
 
-def draw_sheet(ended, name):
-    """NAME.png and NAME.pdf; each run has a line of panels below its settings.
+def draw_sheet(ended, name, options):
+    """NAME.png and NAME.pdf; each run has a line of panels below its settings, painted
+    with options of scripts/render.
 
     Raises Refusal where the pictures cannot be painted."""
-    painted = subprocess.run([str(RENDER), *(run.path for _, run in ended)],
+    painted = subprocess.run([str(RENDER), *(run.path for _, run in ended), *options],
                              capture_output=True, text=True, check=False)
     if painted.returncode != 0:
         raise Refusal(f"there is no sheet: {last_line(painted)}")

@@ -273,16 +273,20 @@ Presets::entries(const Parameters &parameters) const
              return value.quantity == quantity;
            });
   };
-  const std::string needed =
-    parameters.text("Cut", "Surfaces").empty() ? "Young's modulus"
-    : parameters.text("Yield", "Criterion") == "energy release" ? "Toughness"
-                                                                : "Shear limit";
-  const bool is_orthotropic = is_known("Young's moduli");
-  for (const auto &[quantity, is_needed] :
-       {std::make_pair(std::string("Young's modulus"), !is_orthotropic),
-        std::make_pair(std::string("Poisson's ratio"), !is_orthotropic),
-        std::make_pair(needed, !is_known(needed + " by axis"))})
-    parameters.require(!is_needed || is_known(quantity),
+  std::vector<std::string> needed;
+  if (!is_known("Young's moduli"))
+    needed = {"Young's modulus", "Poisson's ratio"};
+  if (!parameters.text("Cut", "Surfaces").empty())
+    {
+      const std::string limit =
+        parameters.text("Yield", "Criterion") == "energy release"
+          ? "Toughness"
+          : "Shear limit";
+      if (!is_known(limit + " by axis"))
+        needed.push_back(limit);
+    }
+  for (const auto &quantity : needed)
+    parameters.require(is_known(quantity),
                        "Material",
                        "Preset",
                        "a material whose " + quantity +
