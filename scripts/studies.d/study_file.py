@@ -126,6 +126,17 @@ def short_names(settings):
             for name, short in zip(every, last)}
 
 
+def labels_of(settings):
+    """What tells each run from the others, for people: the settings that all have, if
+    they do, or all of them."""
+    short = short_names(settings)
+    common = [{name: run[name] for name in run if all(name in other for other in settings)}
+              for run in settings]
+    distinct = len({repr(run) for run in common}) == len(settings)
+    return [", ".join(f"{short[name]} = {value}" for name, value in run.items())
+            for run in (common if distinct else settings)]
+
+
 def names_of(settings):
     """A directory's name for each run, which tells its settings."""
     short = short_names(settings)
