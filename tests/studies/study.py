@@ -149,6 +149,17 @@ def check_sheet(program, folder):
         raise Failure(f"sheets of one and of two runs are {heights} pixels high")
 
 
+def check_labels():
+    """Runs are named by the settings that all have, where these tell them apart."""
+    sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "scripts" /
+                        "studies.d"))
+    from study_file import labels_of
+    for last, expected in (("b", ["X = a", "X = b"]), ("a", ["X = a", "X = a, Y = c"])):
+        labels = labels_of([{"M/X": "a"}, {"M/X": last, "M/Y": "c"}])
+        if labels != expected:
+            raise Failure(f"runs are named {labels} instead of {expected}")
+
+
 def check_refusals(program, folder):
     for text, piece in WRONG:
         (folder / "wrong.toml").write_text(text)
@@ -161,6 +172,7 @@ def main(program):
         folder = pathlib.Path(directory)
         (folder / "scene.prm").write_text(SCENE)
         try:
+            check_labels()
             check_refusals(program, folder)
             check_grid(program, folder)
             check_going_on(program, folder)
