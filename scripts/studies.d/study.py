@@ -43,7 +43,7 @@ def check(study, program):
     def wrong_with(settings, name):
         try:
             parameters = program.parameters(settings, study.directory / name)
-            if study.sheet and parameters["Output/Frames"] == "none":
+            if study.sheet is not False and parameters["Output/Frames"] == "none":
                 raise Refusal("Output/Frames is none, and a sheet needs frames")
         except Refusal as refusal:
             return f"with {words(settings)}: {refusal}"
@@ -94,9 +94,9 @@ def draw(study, runs):
     plot_curves(ended, study.directory / "forces")
     for pair in study.plots:
         plot_pair(ended, pair, study.directory)
-    if study.sheet:
+    if study.sheet is not False:
         from study_sheet import draw_sheet
-        draw_sheet(ended, study.directory / "sheet")
+        draw_sheet(ended, study.directory / "sheet", study.sheet)
 
 
 if __name__ == "__main__":

@@ -36,15 +36,18 @@ def read_study(path):
     jobs = table.get("jobs", 1)
     if type(jobs) is not int or jobs < 1:
         raise Refusal(f"jobs of '{path}' must be a whole number of at least 1")
-    if not isinstance(table.get("sheet", False), bool):
-        raise Refusal(f"sheet of '{path}' must be true or false")
+    sheet = table.get("sheet", False)
+    if not isinstance(sheet, bool) and not (
+            isinstance(sheet, list) and all(isinstance(word, str) for word in sheet)):
+        raise Refusal(f"sheet of '{path}' must be true, false or a list of options of "
+                      "scripts/render, such as ['--field', 'strain']")
     settings = settings_of(path, table)
     # As the program's include and Body/File: where the file is.
     return SimpleNamespace(scene=pathlib.Path(path).parent / scene,
                            directory=pathlib.Path(directory), jobs=jobs,
                            settings=settings, names=names_of(settings),
                            plots=plots_of(path, table, settings),
-                           sheet=table.get("sheet", False))
+                           sheet=[] if sheet is True else sheet)
 
 
 def text_of(path, table, key):
@@ -121,6 +124,17 @@ def short_names(settings):
     last = [name.rpartition("/")[2] for name in every]
     return {name: short if last.count(short) == 1 else name
             for name, short in zip(every, last)}
+
+
+def labels_of(settings):
+    """What tells each run from the others, for people: the settings that all have, if
+    they do, or all of them."""
+    short = short_names(settings)
+    common = [{name: run[name] for name in run if all(name in other for other in settings)}
+              for run in settings]
+    distinct = len({repr(run) for run in common}) == len(settings)
+    return [", ".join(f"{short[name]} = {value}" for name, value in run.items())
+            for run in (common if distinct else settings)]
 
 
 def names_of(settings):

@@ -6,11 +6,12 @@ import matplotlib
 matplotlib.use("Agg")
 from curve import label, mean_push, travels
 from matplotlib import pyplot as plt
-from study_file import SUMMARY, short_names, slug
+from study_file import SUMMARY, labels_of, short_names, slug
 
 STYLE = {"font.size": 8, "axes.linewidth": 0.6}
 NAMED = 10  # more curves than these have no legend
 STATES = ("deform", "travel")
+FAR_APART = 30.  # forces, of which the small ones need a logarithmic axis to be seen
 
 
 def plot_curves(ended, name):
@@ -18,11 +19,14 @@ def plot_curves(ended, name):
     none, its force against the depth of the row at which it stands; of the first cut."""
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(6.2, 3.2), constrained_layout=True)
-        short = short_names([settings for settings, _ in ended])
-        for i, (settings, run) in enumerate(ended):
-            text = ", ".join(f"{short[key]} = {value}" for key, value in settings.items())
+        labels = labels_of([settings for settings, _ in ended])
+        for i, (text, (_, run)) in enumerate(zip(labels, ended)):
             plot_curve(axes, run, label=text, linewidth=0.9,
                        color=plt.cm.viridis(i / max(1, len(ended) - 1) * 0.9))
+        forces = [force for _, run in ended
+                  if (force := run.summary.get("mean_force") or 0) > 0]
+        if forces and max(forces) > FAR_APART * min(forces):
+            axes.set_yscale("log")
         run = ended[0][1]
         axes.set_xlabel(label("travel" if travels(run) else "depth", run, "Length unit"))
         axes.set_ylabel(label("mean force" if travels(run) else "force", run,

@@ -10,34 +10,33 @@ from matplotlib import pyplot as plt
 from panel import Pictures, save_small, write
 from program import Refusal, last_line
 from run_directory import RunDirectory
-from study_file import short_names
+from study_file import labels_of
 
 RENDER = pathlib.Path(__file__).resolve().parents[1] / "render"
 HEAD = 0.24  # inches, of a run's settings
 
 
-def draw_sheet(ended, name):
-    """NAME.png and NAME.pdf; each run has a line of panels below its settings.
+def draw_sheet(ended, name, options):
+    """NAME.png and NAME.pdf; each run has a line of panels below its settings, painted
+    with options of scripts/render.
 
     Raises Refusal where the pictures cannot be painted."""
-    painted = subprocess.run([str(RENDER), *(run.path for _, run in ended)],
+    painted = subprocess.run([str(RENDER), *(run.path for _, run in ended), *options],
                              capture_output=True, text=True, check=False)
     if painted.returncode != 0:
         raise Refusal(f"there is no sheet: {last_line(painted)}")
     strips = [Pictures(RunDirectory(run.path)) for _, run in ended]
     chosen = [choose(pictures.run) for pictures in strips]
-    short = short_names([settings for settings, _ in ended])
+    labels = labels_of([settings for settings, _ in ended])
     panel = (WIDTH - 2 * EDGE) / max(map(len, chosen))
     left, right, below, above = window = strips[0].window(MARGIN)
     tall = panel * (above - below) / (right - left)
     step = HEAD + CAPTION + tall
     height = len(ended) * step + FOOT
     figure = plt.figure(figsize=(WIDTH, height), dpi=DPI)
-    for row, ((settings, _), pictures, frames) in enumerate(zip(ended, strips, chosen)):
+    for row, (text, pictures, frames) in enumerate(zip(labels, strips, chosen)):
         top = height - row * step
-        write(figure, EDGE / WIDTH, (top - 0.18) / height,
-              ", ".join(f"{short[key]} = {value}" for key, value in settings.items()),
-              fontsize=9)
+        write(figure, EDGE / WIDTH, (top - 0.18) / height, text, fontsize=9)
         for column, frame in enumerate(frames):
             x = EDGE + column * panel
             axes = figure.add_axes([x / WIDTH, (top - step) / height, panel / WIDTH,

@@ -75,7 +75,8 @@ const std::map<std::string, SiUnit> si_units = {{"-", {1., 0, 0}},
                                                 {"kPa", {1e3, 1, -2}},
                                                 {"MPa", {1e6, 1, -2}},
                                                 {"GPa", {1e9, 1, -2}},
-                                                {"J/m^2", {1., 1, -1}}};
+                                                {"J/m^2", {1., 1, -1}},
+                                                {"s", {1., 0, 0}}};
 
 std::string
 subsection_of(const std::string &quantity)
@@ -83,17 +84,79 @@ subsection_of(const std::string &quantity)
   return quantity == "Friction" ? "Blade" : "Material";
 }
 
+/** A value whose entries, lists of them, and pairs with ':' in them, are each
+ * what `convert(entry, unit)` says; a pair has a unit for each half. */
+template <typename Convert>
+std::string
+by_entry(const PresetValue &value, const Convert &convert)
+{
+  const auto units = split(value.unit, ':');
+  std::string result;
+  for (const auto &item : split(value.value, ';'))
+    {
+      std::string list;
+      for (const auto &pair : split(item, ','))
+        {
+          const auto entries = split(pair, ':');
+          AssertThrow(entries.size() == units.size(),
+                      ExcMessage("A value of the table of materials does not "
+                                 "fit to its unit: " +
+                                 value.quantity + " = " + value.value));
+          for (unsigned int i = 0; i < entries.size(); ++i)
+            list += (i > 0          ? " : "
+                     : list.empty() ? ""
+                                    : ", ") +
+                    convert(entries[i], units[i]);
+        }
+      result += (result.empty() ? "" : "; ") + list;
+    }
+  return result;
+}
+
 /** In the units of a scene, without the last digit that the conversion spoils.
  */
 std::string
 in_units(const PresetValue &value, const double force, const double length)
 {
-  const auto &[factor, n_force, n_length] = si_units.at(value.unit);
-  std::ostringstream text;
-  text.precision(15);
-  text << value.value * factor * std::pow(force, -n_force) *
-            std::pow(length, -n_length);
-  return text.str();
+  return by_entry(value,
+                  [&](const std::string &entry, const std::string &unit) {
+                    const auto &[factor, n_force, n_length] = si_units.at(unit);
+                    std::vector<double> number;
+                    if (!parse_numbers(entry, number))
+                      return entry;
+                    std::ostringstream text;
+                    text.precision(15);
+                    text << number[0] * factor * std::pow(force, -n_force) *
+                              std::pow(length, -n_length);
+                    return text.str();
+                  });
+}
+
+/** @throw ExcMessage for a value that has no known units, or is no list of
+ * numbers; what has no unit may be a word too. */
+void
+check(const PresetValue &value)
+{
+  by_entry(value, [&](const std::string &entry, const std::string &unit) {
+    std::vector<double> number;
+    AssertThrow(si_units.count(unit) == 1 &&
+                  (value.unit == "-" || parse_numbers(entry, number)),
+                ExcMessage("A value of the table of materials is wrong: " +
+                           value.quantity + " = " + value.value + " " +
+                           value.unit));
+    return entry;
+  });
+}
+
+/** For people. */
+std::string
+with_unit(const PresetValue &value)
+{
+  if (value.unit.find_first_not_of("-: ") == std::string::npos)
+    return value.value;
+  return value.value + " " +
+         (split(value.unit, ':').size() == 1 ? value.unit
+                                             : "[" + value.unit + "]");
 }
 
 /** Friction is that of a blade that touches. */
@@ -125,7 +188,8 @@ Presets::declare(ParameterHandler &handler)
                     "A material by its name, as 'firm tofu': values with "
                     "sources, which --print-materials prints, for those of "
                     "these parameters that the scene does not set. Length unit "
-                    "and Force unit are those of the scene then. Empty: none.");
+                    "and Force unit are those of the scene then, and the unit "
+                    "of time is the second. Empty: none.");
 }
 
 
@@ -140,15 +204,16 @@ Presets::Presets(const std::string &text)
     {
       const auto fields = fields_of(line);
       AssertThrow(
-        fields.size() == 7 && si_units.count(fields[3]) == 1,
+        fields.size() == 7,
         ExcMessage("A line of the table of materials is wrong: " + line));
       values.push_back({fields[0],
                         fields[1],
-                        std::stod(fields[2]),
+                        fields[2],
                         fields[3],
                         fields[4],
                         fields[5],
                         fields[6]});
+      check(values.back());
     }
 }
 
@@ -163,8 +228,7 @@ Presets::print(std::ostream &out) const
       if (value.material != material)
         out << value.material << '\n';
       material = value.material;
-      out << "  " << value.quantity << " = " << value.value
-          << (value.unit == "-" ? "" : " " + value.unit) << " ("
+      out << "  " << value.quantity << " = " << with_unit(value) << " ("
           << origin(value) << ")\n";
     }
 }
@@ -209,12 +273,19 @@ Presets::entries(const Parameters &parameters) const
              return value.quantity == quantity;
            });
   };
-  const std::string needed =
-    parameters.text("Cut", "Surfaces").empty() ? "Young's modulus"
-    : parameters.text("Yield", "Criterion") == "energy release" ? "Toughness"
-                                                                : "Shear limit";
-  for (const std::string quantity :
-       {std::string("Young's modulus"), std::string("Poisson's ratio"), needed})
+  std::vector<std::string> needed;
+  if (!is_known("Young's moduli"))
+    needed = {"Young's modulus", "Poisson's ratio"};
+  if (!parameters.text("Cut", "Surfaces").empty())
+    {
+      const std::string limit =
+        parameters.text("Yield", "Criterion") == "energy release"
+          ? "Toughness"
+          : "Shear limit";
+      if (!is_known(limit + " by axis"))
+        needed.push_back(limit);
+    }
+  for (const auto &quantity : needed)
     parameters.require(is_known(quantity),
                        "Material",
                        "Preset",
@@ -240,9 +311,7 @@ Presets::describe(const Parameters &parameters) const
     if (applies(value, parameters) &&
         !parameters.is_given(subsection_of(value.quantity), value.quantity))
       lines.push_back("Preset " + value.material + ": " + value.quantity +
-                      " = " + short_text(value.value) +
-                      (value.unit == "-" ? "" : " " + value.unit) + " (" +
-                      origin(value) + ").");
+                      " = " + with_unit(value) + " (" + origin(value) + ").");
   return lines;
 }
 } // namespace Setsudan

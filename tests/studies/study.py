@@ -42,7 +42,7 @@ WRONG = [
     (HEAD + '[grid]\n"Blade/Friction" = [1, 1]\n', "twice"),
     (HEAD + '[grid]\n"Output/Directory" = ["a"]\n', "Output/Directory"),
     (HEAD + 'jobs = 0\n[grid]\n"Blade/Friction" = [1]\n', "jobs"),
-    (HEAD + 'sheet = 1\n[grid]\n"Blade/Friction" = [1]\n', "sheet.*true or false"),
+    (HEAD + 'sheet = 1\n[grid]\n"Blade/Friction" = [1]\n', "sheet.*true, false or a list"),
     (HEAD + 'sheet = true\n[grid]\n"Blade/Friction" = [1]\n', "a sheet needs frames"),
     (HEAD + 'plot = "work"\n[grid]\n"Blade/Friction" = [1]\n', "plot"),
     (HEAD + 'plot = ["work", "Blade/Angle"]\n[grid]\n"Blade/Friction" = [1]\n',
@@ -132,9 +132,9 @@ def check_sheet(program, folder):
     if not importlib.util.find_spec("vtkmodules") or not shutil.which("xvfb-run"):
         return
     heights = []
-    for values in ("0.5", "0.5, 2"):
+    for values, sheet in (("0.5", "true"), ("0.5, 2", '["--range", "0,7"]')):
         (folder / "sheet.toml").write_text(
-            f'scene = "scene.prm"\ndirectory = "sheets"\nsheet = true\n[grid]\n'
+            f'scene = "scene.prm"\ndirectory = "sheets"\nsheet = {sheet}\n[grid]\n'
             f'"Material/Toughness" = [{values}]\n"Output/Frames" = ["stages"]\n')
         start("study", program, "sheet.toml", folder=folder)
         pixels = plt.imread(folder / "sheets" / "sheet.png")
@@ -143,10 +143,21 @@ def check_sheet(program, folder):
             raise Failure("the sheet is white or grey")
     views = [json.loads(path.read_text())
              for path in (folder / "sheets").rglob("view.json")]
-    if len(views) != 2 or views[0]["range"] != views[1]["range"]:
-        raise Failure("the runs of a sheet have different colours")
+    if len(views) != 2 or any(view["range"] != [0, 7] for view in views):
+        raise Failure("the runs of a sheet have other colours than it asks for")
     if not 1.4 * heights[0] < heights[1] < 2 * heights[0]:
         raise Failure(f"sheets of one and of two runs are {heights} pixels high")
+
+
+def check_labels():
+    """Runs are named by the settings that all have, where these tell them apart."""
+    sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "scripts" /
+                        "studies.d"))
+    from study_file import labels_of
+    for last, expected in (("b", ["X = a", "X = b"]), ("a", ["X = a", "X = a, Y = c"])):
+        labels = labels_of([{"M/X": "a"}, {"M/X": last, "M/Y": "c"}])
+        if labels != expected:
+            raise Failure(f"runs are named {labels} instead of {expected}")
 
 
 def check_refusals(program, folder):
@@ -161,6 +172,7 @@ def main(program):
         folder = pathlib.Path(directory)
         (folder / "scene.prm").write_text(SCENE)
         try:
+            check_labels()
             check_refusals(program, folder)
             check_grid(program, folder)
             check_going_on(program, folder)

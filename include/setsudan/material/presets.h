@@ -18,7 +18,9 @@ struct PresetValue
   std::string material;
   /** A parameter of subsection Material, or Friction, which is the blade's. */
   std::string quantity;
-  double value;
+  /** As in a scene: a number, a list of them, or pairs with ':' in them. */
+  std::string value;
+  /** Of every number; 'unit : unit' of pairs; - for none. */
   std::string unit;
   /** Under which it was measured. */
   std::string conditions;
