@@ -35,8 +35,8 @@ def cantilever():
     parts = list(finite.BEAM)[1::2]
     found = [finite.beam(OPTIONS, "linear elastic", 40, part) for part in parts]
     image = picture("cantilever", "Cantilever of Sze, Liu and Lo", [
-        (f"+published, {name}", [v[d] for v in finite.BEAM.values()], list(finite.BEAM))
-        for d, name in enumerate(("shortening", "deflection"))],
+        ("+published", [u for v in finite.BEAM.values() for u in v],
+         [part for part in finite.BEAM for _ in range(2)])],
         [(f"computed, {name}", [f[d] for f in found], parts)
          for d, name in enumerate(("shortening", "deflection"))],
         xlabel="displacement of the end", ylabel="force over the largest")

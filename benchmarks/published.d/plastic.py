@@ -52,7 +52,7 @@ def wedge():
     depth c, until the force stays. Test: `verification/indentation`."""
     angles = [a / 2 for a in range(10, 121)]
     curve = [indentation.slip_lines(math.radians(a))[2] for a in angles]
-    degrees = (10, 15, 20, 30, 45)
+    degrees = (15, 20, 30, 45)
     found = {n: [indentation.force(OPTIONS, a, n) for a in degrees] for n in (6, 12)}
     image = picture("wedge", "Wedge in plastic ground, no friction", [
         ("Hill, Lee and Tupper", angles, curve)],
@@ -65,18 +65,20 @@ def wedge():
                                               for f in found.values())])
     return "\n\n".join([image, table(
         ["half angle", "P/(2 k c)", *(f"{n} elements along a flank" for n in found)], rows),
-        "The excess halves with the elements: a hat at the rim of the contact is touched whole "
-        "or not at all.", missing(
+        "The excess falls with the elements: a hat at the rim of the contact is touched whole "
+        "or not at all. 16 elements are within 3 % ([verification.md](verification.md)).",
+        missing(
             "The lips are given, not found: from flat ground the surface under the edge "
             "must part, new surface slides up the flanks, and the mesh folds there under "
-            "finite strain. Green's photographs of plasticine (1951) have no numbers.")])
+            "finite strain. At 10° the flanks of the groove are so steep that the program does "
+            "not count them among the outer faces that a blade meets. Green's photographs of plasticine (1951) have no numbers.")])
 
 
 def pressure():
     """Plastic flow in a thick cylinder (radii 3 and 9, plane strain) and a thick sphere
     (radii 1 and 2), incompressible and without hardening, up to a radius c. Tests:
     `verification/cylinder`, `verification/sphere`."""
-    results = [*cylinder.plastic_rows(OPTIONS), *sphere.plastic_rows(OPTIONS, True)]
+    results = [*cylinder.plastic_rows(OPTIONS), *sphere.plastic_rows(OPTIONS)]
     rows = [[r.quantity, r.mesh, f"{r.reference:.6g}", f"{r.computed:.6g}",
              f"{r.ratio - 1:+.2%}"] for r in results]
     return table(["quantity", "elements", "closed form", "computed", "difference"], rows)

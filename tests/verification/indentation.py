@@ -82,7 +82,7 @@ def force(options, degrees, n):
             "Material/Yield stress": repr(math.sqrt(3)), "Material/Toughness": 1e9,
             "Blade/Shape": "wedge", "Blade/Wedge angle": 2 * degrees,
             "Blade/Thickness": repr(4 * length * math.sin(angle)),
-            "Blade/Advance": PUSH / 3, "Blade/Travel": PUSH,
+            "Blade/Advance": PUSH / 6, "Blade/Travel": PUSH,
             # Open below the groove, so that the edge has nothing to push.
             "Cut/Surfaces": "group : cut", "Cut/Notch": repr(3 * length),
             "Division/Release": "face band"})
