@@ -11,7 +11,7 @@ from problems import Case, Row, material, run_table
 
 # The shear limit k is 1; almost rigid beside it, and almost incompressible.
 YOUNGS_MODULUS, POISSONS_RATIO = 1000, .49
-# Of the wedge's edge, and how much further it is pushed, until the force stays.
+# Of the wedge's edge, and how much further it is pushed, where the force has levelled off.
 DEPTH, PUSH = 1, .03
 SIZE = 8
 
