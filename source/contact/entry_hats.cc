@@ -86,7 +86,7 @@ entry_hats(const ElasticModel<dim> &model,
       {
         const double offset = std::abs((hat.center - on_cut) * edge.normal);
         const double depth  = edge.travel(hat.center) - entry;
-        if (offset < reach && offset + slope * depth >= 0)
+        if (offset < reach && offset + slope * depth >= -tolerance)
           hats.push_back({hat, is_plus, offset, depth});
       }
   return hats;

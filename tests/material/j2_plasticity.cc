@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // J2 plasticity along a path of plane strain with known stresses (the plane
-// strain element of NAFEMS, radial return with one step to each point), in a
-// bar, and its stress and tangent as derivatives of its energy.
+// strain element of NAFEMS, radial return with one step to each point and with
+// many), in a bar, and its stress and tangent as derivatives of its energy.
 
 #include <setsudan/material/j2_plasticity.h>
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "law_at_point.h"
@@ -18,31 +20,74 @@ using namespace dealii;
 constexpr double E = 250e3, nu = 0.25, yield_stress = 5;
 
 
+// Strains along x and y, in 1e-4.
+constexpr std::array<std::array<double, 2>, 8> path = {{{{0.25, 0}},
+                                                        {{0.5, 0}},
+                                                        {{0.5, 0.25}},
+                                                        {{0.5, 0.5}},
+                                                        {{0.25, 0.5}},
+                                                        {{0, 0.5}},
+                                                        {{0, 0.25}},
+                                                        {{0, 0}}}};
+using Stresses = std::array<std::array<double, 3>, 8>;
+
+/** The stresses along x, y and z at the points of the path [MPa], each of which
+ * is reached in so many steps of the law. */
+Stresses
+stresses_on_path(const J2Plasticity &law, const unsigned int n_steps)
+{
+  Stresses stresses;
+  std::vector<double> internal = at_rest(law), after;
+  std::array<double, 2> from   = {{0, 0}};
+  for (unsigned int point = 0; point < path.size(); ++point)
+    {
+      for (unsigned int step = 1; step <= n_steps; ++step)
+        {
+          Tensor<2, 3> gradient;
+          for (unsigned int d = 0; d < 2; ++d)
+            gradient[d][d] =
+              1e-4 * (from[d] + step * (path[point][d] - from[d]) / n_steps);
+          const auto stress = evaluate(law, gradient, internal, after).stress;
+          for (unsigned int d = 0; d < 3; ++d)
+            stresses[point][d] = stress[d][d];
+          internal = after;
+        }
+      from = path[point];
+    }
+  return stresses;
+}
+
+
+double
+largest_difference(const Stresses &stresses, const Stresses &others)
+{
+  double largest = 0;
+  for (unsigned int point = 0; point < path.size(); ++point)
+    for (unsigned int d = 0; d < 3; ++d)
+      largest =
+        std::max(largest, std::abs(stresses[point][d] - others[point][d]));
+  return largest;
+}
+
+
 void
 test_path(const std::string &name,
           const double isotropic,
-          const std::array<std::array<double, 3>, 8> &expected)
+          const Stresses &expected)
 {
   const J2Plasticity law(Hooke(E, nu), yield_stress, {isotropic, 0});
-  constexpr double path[8][2] = {{0.25, 0},
-                                 {0.5, 0},
-                                 {0.5, 0.25},
-                                 {0.5, 0.5},
-                                 {0.25, 0.5},
-                                 {0, 0.5},
-                                 {0, 0.25},
-                                 {0, 0}};
-  auto internal               = at_rest(law);
-  double error = 0, excess = 0;
-  for (unsigned int step = 0; step < 8; ++step)
+  check_below(name + ": stresses",
+              largest_difference(stresses_on_path(law, 1), expected),
+              0.6e-4);
+  auto internal = at_rest(law);
+  double excess = 0;
+  for (const auto &strains : path)
     {
       Tensor<2, 3> gradient;
       for (unsigned int d = 0; d < 2; ++d)
-        gradient[d][d] = 1e-4 * path[step][d];
+        gradient[d][d] = 1e-4 * strains[d];
       std::vector<double> after;
-      const auto stress = evaluate(law, gradient, internal, after).stress;
-      for (unsigned int d = 0; d < 3; ++d)
-        error = std::max(error, std::abs(stress[d][d] - expected[step][d]));
+      const auto stress  = evaluate(law, gradient, internal, after).stress;
       const double mises = std::sqrt(1.5) * deviator(symmetrize(stress)).norm();
       excess =
         std::max(excess, mises - yield_stress - isotropic * after.back());
@@ -53,9 +98,35 @@ test_path(const std::string &name,
                                    (again.stress - stress).norm(),
                                    std::abs(after.back() - internal.back())});
     }
-  check_below(name + ": stresses", error, 0.6e-4);
   check_below(
     "  beyond the limit, or other than when it was accepted", excess, 1e-11);
+}
+
+
+/** Without hardening, with more and more steps to each point: the exact
+ * stresses are approached in the first order. The lines are the table of
+ * doc/published.md.
+ *
+ * @param exact by an independent program, to four decimals. */
+void
+test_steps(const Stresses &exact)
+{
+  const J2Plasticity law(Hooke(E, nu), yield_stress, {0, 0});
+  std::map<unsigned int, double> errors;
+  for (const unsigned int n_steps : {1, 10, 100, 1000})
+    {
+      const Stresses stresses = stresses_on_path(law, n_steps);
+      errors[n_steps]         = largest_difference(stresses, exact);
+      for (unsigned int point = 0; point < path.size(); ++point)
+        {
+          std::cout << "path " << n_steps << " " << point + 1;
+          for (const double stress : stresses[point])
+            std::cout << " " << stress;
+          std::cout << std::endl;
+        }
+    }
+  check_below("1000 steps to a point: stresses", errors[1000], 1e-3);
+  check_below("  order", std::abs(errors[10] / errors[100] / 10 - 1), 0.15);
 }
 
 
@@ -141,6 +212,14 @@ main(int argc, char **argv)
                 {{4.2409, 12.5739, 8.1852}},
                 {{1.7409, 5.0739, 5.6852}},
                 {{-0.7591, -2.4261, 3.1852}}}});
+    test_steps({{{{7.5, 2.5, 2.5}},
+                 {{11.6667, 6.6667, 6.6667}},
+                 {{14.1667, 14.1667, 9.1667}},
+                 {{16.3175, 19.7121, 13.9704}},
+                 {{9.8257, 15.5603, 12.1140}},
+                 {{5.0976, 10.6445, 9.2579}},
+                 {{2.5976, 3.1445, 6.7579}},
+                 {{0.2349, -2.9970, 2.7621}}}});
     for (const Hardening &hardening :
          {Hardening{0.2 * E, 0}, Hardening{0, 0.2 * E}, Hardening{2e4, 1e4}})
       test_bar(hardening);

@@ -149,24 +149,33 @@ def slab_rows(options, _):
               number(slab[plane.lines.index(plane.end)], "travel"), 1e-8)
 
 
+SLICING_TOUGHNESS = 1e-3
+
+
+def sliced(options, slice_push, grip=""):
+    """The middle of a cut by a thin blade that moves along its edge as it is pushed: what
+    changes there, the mean force along its way, and its last line."""
+    drag = min(slice_push, grip) if grip else slice_push
+    lines = run_table(options, {
+        **PLANE, "Dimension": 3, "Body/Size": "1, 1, 1", "Body/Elements": "1, 8, 8",
+        "Cut/Surfaces": "y:4", "Blade/Slice-push ratio": slice_push,
+        "Blade/Edge grip": grip, "Material/Toughness": SLICING_TOUGHNESS})
+    yields = [line for line in lines if line["event"] == "deform"]
+    begin, end = (next(line for line in yields if number(line, "depth") >= depth)
+                  for depth in (.25, .75))
+    change = {name: number(end, name) - number(begin, name)
+              for name in ("work", "friction_energy", "travel", "strain_energy",
+                           "surface_energy")}
+    # The edge's part of the work is F (1 + k ξ) for each travel.
+    return change, change["work"] / (1 + drag * slice_push) / change["travel"], end
+
+
 def slicing_rows(options, _):
-    """A thin blade that moves along its edge as it is pushed."""
-    toughness = 1e-3
+    toughness = SLICING_TOUGHNESS
     for slice_push, grip in ((0, ""), (.5, ""), (1, ""), (2, ""), (4, ""), (2, .5)):
         drag = min(slice_push, grip) if grip else slice_push
-        lines = run_table(options, {
-            **PLANE, "Dimension": 3, "Body/Size": "1, 1, 1", "Body/Elements": "1, 8, 8",
-            "Cut/Surfaces": "y:4", "Blade/Slice-push ratio": slice_push,
-            "Blade/Edge grip": grip, "Material/Toughness": toughness})
-        yields = [line for line in lines if line["event"] == "deform"]
-        begin, end = (next(line for line in yields if number(line, "depth") >= depth)
-                      for depth in (.25, .75))
+        change, push, end = sliced(options, slice_push, grip)
         mesh = f"slices {slice_push}, grip {grip or 'perfect'}"
-        change = {name: number(end, name) - number(begin, name)
-                  for name in ("work", "friction_energy", "travel", "strain_energy",
-                               "surface_energy")}
-        # The edge's part of the work is F (1 + k ξ) for each travel.
-        push = change["work"] / (1 + drag * slice_push) / change["travel"]
         yield Row("push over toughness × width / (1 + k²)", mesh,
                   toughness / (1 + drag ** 2), push, .02)
         yield Row("work less storage and friction over surface", mesh,
@@ -175,6 +184,21 @@ def slicing_rows(options, _):
         if slice_push:
             yield Row("force along the edge over push × k", mesh,
                       drag * number(end, "blade_force"), number(end, "force_along"), 1e-9)
+
+
+def off_cut(options, layer):
+    """The mean force over the toughness with which a wedge without friction cuts a layer
+    off a high block that is 8 wide: the bent off-cut stores no more as it gets longer."""
+    return Cut(options, 8, 80, (8, 40), {
+        "Cut/Surfaces": f"x:{layer}", "Material/Toughness": 1e-3, "Blade/Shape": "wedge",
+        "Blade/Wedge angle": 20, "Blade/Thickness": .4, "Blade/Shoulder radius": 1},
+        (12, 28)).mean_force()
+
+
+def off_cut_rows(options, long):
+    for layer, expected in ((1, 1.035), (2, 1.018)) if long else ((2, 1.018),):
+        yield Row("mean force over toughness of a bent off-cut", f"layer {layer} of 8", 1,
+                  off_cut(options, layer), .002, expected=expected)
 
 
 # Speed over that at which the toughness doubles, and the mean force over the toughness
@@ -331,7 +355,7 @@ def half_plane_rows(options, _):
 
 def rows(options, long):
     for of_kind in (thin_rows, wedge_rows, wire_rows, profile_rows, height_rows,
-                    blunt_rows, cantilever_rows, slab_rows, slicing_rows, rate_rows,
+                    blunt_rows, cantilever_rows, slab_rows, slicing_rows, off_cut_rows, rate_rows,
                     tip_rows, withdrawal_rows, stress_rows, block_rows,
                     half_plane_rows):
         yield from of_kind(options, long)

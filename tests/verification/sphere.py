@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A thick sphere under inner pressure, on curved elements."""
+"""A thick sphere under inner pressure, on curved elements, elastic and plastic."""
 
 import math
 
@@ -50,6 +50,23 @@ def solution(options, n):
     return state.at((INNER, 0, 0), "ux"), math.sqrt(difference / norm)
 
 
+def plastic_rows(options):
+    """Plastic flow up to a radius c without hardening, of an incompressible body; one
+    step is exact, as in the cylinder."""
+    stress, modulus = 1, 1000
+    for c, n, bound in ((1.5, 2, .03), (1.5, 4, .005)):
+        pressure = (2 * stress * math.log(c / INNER) +
+                    2 / 3 * stress * (1 - (c / OUTER) ** 3))
+        state = solve(options, {
+            **material(modulus, .4999), "Load/Pressures": f"inner : {pressure!r}",
+            "Material/Yield stress": stress,
+            "Support/Fixed components": "x : x; y : y; z : z"}, make_body(n))
+        # Where it begins to flow u is σ_y c / (2 E), and volume does not change.
+        yield Row(f"u at the inside, plastic flow up to the radius {c}", f"3 × {n}³",
+                  stress * c ** 3 / (2 * modulus * INNER ** 2),
+                  state.at((INNER, 0, 0), "ux"), bound)
+
+
 def rows(options, long):
     last = None
     for n in (2, 4, 8) if long else (2, 4):
@@ -61,8 +78,11 @@ def rows(options, long):
             yield Row("order of the displacement's error at nodes", mesh, 3,
                       math.log2(last / e))
         last = e
+    yield from plastic_rows(options)
 
 
 CASE = Case(
     "sphere", "Sphere under inner pressure, an octant of curved elements",
-    "Lamé's closed form; Timoshenko & Goodier, Theory of Elasticity", rows)
+    "Lamé's closed form; Timoshenko & Goodier, Theory of Elasticity; plastic flow without "
+    "hardening: p = 2 σ_y ln(c/a) + 2 σ_y (1 - c³/b³)/3 and σ_y c³/(2 E a²) for an "
+    "incompressible body (Hill, The Mathematical Theory of Plasticity, 1950)", rows)

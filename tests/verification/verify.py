@@ -15,7 +15,9 @@ import beams
 import blade
 import cantilever
 import cylinder
+import fibres
 import finite
+import indentation
 import manufactured
 import membrane
 import patch
@@ -27,7 +29,7 @@ from problems import program
 
 CASES = [module.CASE for module in (patch, thick_plate, beams, cylinder, membrane,
                                     sphere, point_load, cantilever, blade,
-                                    finite, manufactured)]
+                                    indentation, fibres, finite, manufactured)]
 HERE = pathlib.Path(__file__).resolve().parent
 # How well another machine must repeat a number of the document.
 REPEATED = 1e-4

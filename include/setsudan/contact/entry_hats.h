@@ -30,7 +30,8 @@ struct EntryHat
  * enters between them, as far as it is thick: none unless it is a wedge that
  * presses normally to its flanks and begins with no thickness, and the cut is
  * plane. Hats that would be inside the wedge when its edge is at the entry are
- * left out. The same on all processes, which all call it.
+ * left out; those of a groove that it fills are on its flanks. The same on all
+ * processes, which all call it.
  *
  * @param uncut the body's mesh before any cut.
  * @param is_there whether an element takes part.
