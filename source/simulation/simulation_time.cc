@@ -56,6 +56,9 @@ difference(const LA::Vector &first, const LA::Vector &second)
   const double largest = second.linfty_norm();
   return largest > 0 ? change.linfty_norm() / largest : 0;
 }
+
+
+
 /** With two digits. */
 std::string
 rounded(const double value)
@@ -65,7 +68,33 @@ rounded(const double value)
   text << value;
   return text.str();
 }
+
+
+
+[[noreturn]] void
+throw_too_short(const double time, const double tolerance)
+{
+  throw InvariantError(
+    "At the time " + short_text(time) +
+    " no step is short enough for Time/Tolerance = " + short_text(tolerance) +
+    ": the body springs to another state there, or "
+    "Solver/Tolerance is too large for it.");
+}
 } // namespace
+
+
+template <int dim>
+double
+Simulation<dim>::next_step(const double step,
+                           const double longest,
+                           const std::optional<double> &error) const
+{
+  if (!error)
+    return longest;
+  // The error is quadratic in the step.
+  const double change = 0.9 * std::sqrt(scene.time.tolerance / *error);
+  return std::min(std::clamp(change, 0.2, 2.) * step, longest);
+}
 
 
 template <int dim>
@@ -129,18 +158,9 @@ Simulation<dim>::pass_time()
             next = begin + duration;
           std::optional<double> error;
           const bool is_taken = try_step(now, next, error);
-          if (error)
-            step = std::clamp(
-                     0.9 * std::sqrt(scene.time.tolerance / *error), 0.2, 2.) *
-                   (next - now);
-          step = std::min(step, longest);
+          step                = next_step(next - now, longest, error);
           if (!is_taken && step < shortest * longest)
-            throw InvariantError(
-              "At the time " + short_text(now) +
-              " no step is short enough for Time/Tolerance = " +
-              short_text(scene.time.tolerance) +
-              ": the body springs to another state there, or Solver/Tolerance "
-              "is too large for it.");
+            throw_too_short(now, scene.time.tolerance);
           if (!is_taken)
             continue;
           now = next;
@@ -176,13 +196,15 @@ Simulation<dim>::move_front(const unsigned int row)
 
 
 
-#define INSTANTIATE(dim)                                          \
-  template void Simulation<dim>::pass_time();                     \
-  template bool Simulation<dim>::try_step(                        \
-    const double, const double, std::optional<double> &);         \
-  template State<dim> Simulation<dim>::state_after(const double,  \
-                                                   const double); \
-  template void Simulation<dim>::set_time(const double);          \
+#define INSTANTIATE(dim)                                              \
+  template double Simulation<dim>::next_step(                         \
+    const double, const double, const std::optional<double> &) const; \
+  template void Simulation<dim>::pass_time();                         \
+  template bool Simulation<dim>::try_step(                            \
+    const double, const double, std::optional<double> &);             \
+  template State<dim> Simulation<dim>::state_after(const double,      \
+                                                   const double);     \
+  template void Simulation<dim>::set_time(const double);              \
   template void Simulation<dim>::move_front(const unsigned int);
 
 INSTANTIATE(2)

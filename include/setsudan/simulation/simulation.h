@@ -86,6 +86,16 @@ private:
   bool
   try_step(const double begin, const double end, std::optional<double> &error);
 
+  /** How long the next step is to be.
+   *
+   * @param step the last one.
+   * @param longest that may be.
+   * @param error of the last one, if it has been estimated. */
+  double
+  next_step(const double step,
+            const double longest,
+            const std::optional<double> &error) const;
+
   /** The body under its loads at a later time. */
   State<dim>
   state_after(const double begin, const double end);
