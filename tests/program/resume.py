@@ -27,7 +27,7 @@ from tables import read
 
 SCENE = {
     "Body/Size": "8, 8, 6",
-    "Body/Elements": "2, 2, 2",
+    "Body/Elements": "3, 2, 2",
     "Support/Fixed faces": "bottom",
     "Support/Loose pieces": "drop",
     "Load/Body force": "0, 0, -0.001",
@@ -260,6 +260,8 @@ def refusals(runs, _):
     # Checkpoints that are none, and one of another number of processes.
     output = runs.new_directory()
     limit = max(path.stat().st_size for path in results(runs.expected)) - 1
+    if limit < (runs.expected / "parameters.prm").stat().st_size:
+        raise Failure("a run that must be stopped on its way would not even begin")
     runs.finish(runs.start(output, limit=limit), status=1)
     whole = (output / "checkpoint").read_bytes()
     for damaged in (whole[:-1], whole[: len(whole) // 2], b"checkpoint"):
