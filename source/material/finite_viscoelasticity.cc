@@ -95,74 +95,82 @@ elastic_strain(const DecoupledLaw &law,
 
 
 
-/** Stress and tangent of a spring by the logarithmic strain of spring and
+/** The stress of a spring, conjugate to the logarithmic strain of spring and
  * dashpot. */
-void
-in_space(const PrincipalAxes &axes,
-         const PrincipalResponse &spring,
-         const double compliance,
-         SymmetricTensor<2, 3> &stress,
-         SymmetricTensor<4, 3> &tangent)
+SymmetricTensor<2, 3>
+stress_in_space(const PrincipalAxes &axes, const PrincipalResponse &spring)
+{
+  SymmetricTensor<2, 3> stress;
+  for (unsigned int a = 0; a < 3; ++a)
+    stress += spring.stress[a] *
+              symmetrize(outer_product(axes.direction(a), axes.direction(a)));
+  return stress;
+}
+
+
+
+/** Its derivative by that strain. */
+SymmetricTensor<4, 3>
+tangent_in_space(const PrincipalAxes &axes,
+                 const PrincipalResponse &spring,
+                 const double compliance)
 {
   const Tensor<2, 3> moduli =
     spring.moduli * invert(Tensor<2, 3>(unit_symmetric_tensor<3>() +
                                         compliance * spring.moduli));
   constexpr double alike = 1e-7;
+  const auto between     = [&](const unsigned int a, const unsigned int b) {
+    return symmetrize(outer_product(axes.direction(a), axes.direction(b)));
+  };
+  SymmetricTensor<4, 3> tangent;
   for (unsigned int a = 0; a < 3; ++a)
-    {
-      const auto along =
-        symmetrize(outer_product(axes.direction(a), axes.direction(a)));
-      stress += spring.stress[a] * along;
-      for (unsigned int b = 0; b < 3; ++b)
-        {
-          tangent +=
-            moduli[a][b] *
-            outer_product(
-              along,
-              symmetrize(outer_product(axes.direction(b), axes.direction(b))));
-          if (b <= a)
-            continue;
-          const double distance = axes.logarithm(a) - axes.logarithm(b);
-          const double shear =
-            std::abs(distance) < alike
-              ? (moduli[a][a] - moduli[a][b] - moduli[b][a] + moduli[b][b]) / 2
-              : (spring.stress[a] - spring.stress[b]) / distance;
-          const auto across =
-            symmetrize(outer_product(axes.direction(a), axes.direction(b)));
-          tangent += 2 * shear * outer_product(across, across);
-        }
-    }
+    for (unsigned int b = 0; b < 3; ++b)
+      {
+        tangent += moduli[a][b] * outer_product(between(a, a), between(b, b));
+        if (b <= a)
+          continue;
+        const double distance = axes.logarithm(a) - axes.logarithm(b);
+        const double shear =
+          std::abs(distance) < alike
+            ? (moduli[a][a] - moduli[a][b] - moduli[b][a] + moduli[b][b]) / 2
+            : (spring.stress[a] - spring.stress[b]) / distance;
+        tangent += 2 * shear * outer_product(between(a, b), between(a, b));
+      }
+  return tangent;
 }
 
 
 
-/** What a stress and a tangent of Fv^-T C Fv^-1 are by C. */
-void
-add_pulled_back(const double part,
-                const Tensor<2, 3> &inverse,
-                const SymmetricTensor<2, 3> &stress,
-                const SymmetricTensor<4, 3> *tangent,
-                StrainEnergy &by_C)
+/** A stress by Fv^-T C Fv^-1 as that by C. */
+SymmetricTensor<2, 3>
+pulled_back(const Tensor<2, 3> &inverse, const SymmetricTensor<2, 3> &stress)
 {
-  const auto pulled_back = [&](const SymmetricTensor<2, 3> &tensor) {
-    return symmetrize(inverse * tensor * transpose(inverse));
-  };
-  by_C.stress += part * pulled_back(stress);
-  if (tangent == nullptr)
-    return;
+  return symmetrize(inverse * stress * transpose(inverse));
+}
+
+
+
+/** The same of a tangent. */
+SymmetricTensor<4, 3>
+pulled_back(const Tensor<2, 3> &inverse, const SymmetricTensor<4, 3> &tangent)
+{
+  SymmetricTensor<4, 3> by_C;
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j <= i; ++j)
       {
         Tensor<1, 3> first, second;
-        first[i]          = 1;
-        second[j]         = 1;
-        const auto unit   = symmetrize(outer_product(first, second));
-        const auto change = pulled_back(
-          *tangent * symmetrize(transpose(inverse) * unit * inverse));
+        first[i]        = 1;
+        second[j]       = 1;
+        const auto unit = symmetrize(outer_product(first, second));
+        const SymmetricTensor<2, 3> change = pulled_back(
+          inverse,
+          SymmetricTensor<2, 3>(
+            tangent * symmetrize(transpose(inverse) * unit * inverse)));
         for (unsigned int k = 0; k < 3; ++k)
           for (unsigned int l = 0; l <= k; ++l)
-            by_C.tangent[k][l][i][j] += part * change[k][l];
+            by_C[k][l][i][j] = change[k][l];
       }
+  return by_C;
 }
 } // namespace
 
@@ -174,10 +182,8 @@ FiniteViscoelasticity::FiniteViscoelasticity(
   : law(law)
   , mu(at_once.mu)
   , terms(terms)
-  , lasting_part(1)
+  , lasting_part(Relaxation::lasting_part(terms))
 {
-  for (const auto &[part, time] : terms)
-    lasting_part -= part;
 }
 
 
@@ -237,17 +243,15 @@ FiniteViscoelasticity::respond(const SymmetricTensor<2, 3> &C,
         strain[a] = axes.logarithm(a);
       PrincipalResponse spring;
       const auto elastic = elastic_strain(*law, strain, compliance, spring);
-      SymmetricTensor<2, 3> stress;
-      SymmetricTensor<4, 3> tangent;
-      in_space(axes, spring, compliance, stress, tangent);
-      const auto by_elastic_C = axes.stress(stress);
-      const auto tangent_by_elastic_C =
-        needs_tangent ? axes.tangent(stress, tangent) : tangent;
-      add_pulled_back(part,
-                      inverse,
-                      by_elastic_C,
-                      needs_tangent ? &tangent_by_elastic_C : nullptr,
-                      response.distortion);
+      const auto stress  = stress_in_space(axes, spring);
+      response.distortion.stress +=
+        part * pulled_back(inverse, axes.stress(stress));
+      if (needs_tangent)
+        response.distortion.tangent +=
+          part *
+          pulled_back(
+            inverse,
+            axes.tangent(stress, tangent_in_space(axes, spring, compliance)));
 
       Tensor<2, 3> flow;
       for (unsigned int a = 0; a < 3; ++a)

@@ -52,16 +52,11 @@ GivenValues<dim>::GivenValues(const Parameters &parameters,
   for (const auto &[all, name] : {std::make_pair(&shear_terms, "Viscous"),
                                   std::make_pair(&bulk_terms, "Viscous bulk")})
     for (const auto &terms : *all)
-      {
-        double sum = 0;
-        for (const auto &term : terms)
-          sum += term.first;
-        parameters.require(sum < 1,
-                           "Material",
-                           name,
-                           "relative moduli that sum to less than 1, since a "
-                           "part of the body must last");
-      }
+      parameters.require(Relaxation::lasting_part(terms) > 0,
+                         "Material",
+                         name,
+                         "relative moduli that sum to less than 1, since a "
+                         "part of the body must last");
   names = read_names(parameters, body, "Law", "law", LawParameters::names());
 }
 

@@ -85,17 +85,22 @@ constexpr unsigned int n_common = 1 + Strain::n_numbers;
 } // namespace
 
 
+double
+Relaxation::lasting_part(const Terms &terms)
+{
+  double relaxing = 0;
+  for (const auto &[part, time] : terms)
+    relaxing += part;
+  return 1 - relaxing;
+}
+
+
+
 Hooke
 Relaxation::long_after(const Hooke &at_once) const
 {
-  const auto left = [](const Terms &terms) {
-    double rest = 1;
-    for (const auto &[part, time] : terms)
-      rest -= part;
-    return rest;
-  };
-  const double G = at_once.mu * left(shear);
-  const double K = (at_once.lambda + 2 * at_once.mu / 3) * left(bulk);
+  const double G = at_once.mu * lasting_part(shear);
+  const double K = (at_once.lambda + 2 * at_once.mu / 3) * lasting_part(bulk);
   return Hooke(9 * K * G / (3 * K + G), (3 * K - 2 * G) / (6 * K + 2 * G));
 }
 

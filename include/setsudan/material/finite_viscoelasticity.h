@@ -58,6 +58,6 @@ private:
   const double mu;
   const Relaxation::Terms terms;
   /** Of the shear modulus. */
-  double lasting_part;
+  const double lasting_part;
 };
 } // namespace Setsudan

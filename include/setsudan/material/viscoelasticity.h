@@ -27,7 +27,11 @@ struct Relaxation
     return shear.empty() && bulk.empty();
   }
 
-  /** What is left of moduli when all has relaxed. */
+  /** The part of a modulus that is left when all has relaxed. */
+  static double
+  lasting_part(const Terms &terms);
+
+  /** What is left of moduli then. */
   Hooke
   long_after(const Hooke &at_once) const;
 };
