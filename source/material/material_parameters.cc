@@ -250,14 +250,23 @@ MaterialParameters<dim>::smallest_youngs_modulus() const
 
 
 
+namespace
+{
+bool
+any_of(const std::vector<Material> &materials,
+       bool (*const holds)(const Material &))
+{
+  return std::any_of(materials.begin(), materials.end(), holds);
+}
+} // namespace
+
+
 template <int dim>
 bool
 MaterialParameters<dim>::any_is_mixed() const
 {
-  return std::any_of(
-    materials.begin(), materials.end(), [](const Material &material) {
-      return material.is_mixed;
-    });
+  return any_of(materials,
+                [](const Material &material) { return material.is_mixed; });
 }
 
 
@@ -291,10 +300,9 @@ template <int dim>
 bool
 MaterialParameters<dim>::is_plastic() const
 {
-  return std::any_of(
-    materials.begin(), materials.end(), [](const Material &material) {
-      return material.law->is_plastic();
-    });
+  return any_of(materials, [](const Material &material) {
+    return material.law->is_plastic();
+  });
 }
 
 
@@ -303,10 +311,9 @@ template <int dim>
 bool
 MaterialParameters<dim>::is_viscous() const
 {
-  return std::any_of(
-    materials.begin(), materials.end(), [](const Material &material) {
-      return material.law->is_viscous();
-    });
+  return any_of(materials, [](const Material &material) {
+    return material.law->is_viscous();
+  });
 }
 
 
@@ -315,10 +322,9 @@ template <int dim>
 bool
 MaterialParameters<dim>::has_internal_variables() const
 {
-  return std::any_of(
-    materials.begin(), materials.end(), [](const Material &material) {
-      return material.law->n_internal() > 0;
-    });
+  return any_of(materials, [](const Material &material) {
+    return material.law->n_internal() > 0;
+  });
 }
 
 
