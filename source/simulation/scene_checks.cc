@@ -122,13 +122,13 @@ check_contact(const Parameters &parameters, const Scene<dim> &scene)
 
 
 
-/** Refuse what is there for small strain only. */
+/** Refuse what is there for linear bodies only. */
 template <int dim>
 void
-check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
+check_newton(const Parameters &parameters,
+             const Scene<dim> &scene,
+             const std::string &where)
 {
-  const std::string where =
-    " where Deformation/Strain is " + parameters.text("Deformation", "Strain");
   parameters.require(scene.blade.travels || !scene.has_contact(),
                      "Division",
                      "Split rows",
@@ -137,6 +137,23 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
     scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
   parameters.require(
     !scene.accuracy.estimate, "Accuracy", "Estimate", "false" + where);
+  parameters.require(scene.solver.cut_solve !=
+                       SolverParameters::CutSolve::condensed,
+                     "Division",
+                     "Solve",
+                     "auto or every row anew" + where);
+}
+
+
+
+/** Refuse what is there for small strain only. */
+template <int dim>
+void
+check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
+{
+  const std::string where =
+    " where Deformation/Strain is " + parameters.text("Deformation", "Strain");
+  check_newton(parameters, scene, where);
   parameters.require(!scene.yield.compares_energies() ||
                        !scene.loads.has_pressure(),
                      "Load",
@@ -144,11 +161,6 @@ check_finite_strain(const Parameters &parameters, const Scene<dim> &scene)
                      "nothing with Yield/Criterion = energy release" + where +
                        ", since a pressure that follows a surface with a free "
                        "rim has no energy; Load/Tractions has");
-  parameters.require(scene.solver.cut_solve !=
-                       SolverParameters::CutSolve::condensed,
-                     "Division",
-                     "Solve",
-                     "auto or every row anew" + where);
 }
 
 
@@ -160,19 +172,7 @@ check_memory(const Parameters &parameters, const Scene<dim> &scene)
   const std::string where = scene.material.is_plastic()
                               ? " where Material/Yield stress is given"
                               : " where Material/Viscous is given";
-  parameters.require(scene.blade.travels || !scene.has_contact(),
-                     "Division",
-                     "Split rows",
-                     "opened or free" + where);
-  parameters.require(
-    scene.accuracy.target == 0, "Accuracy", "Target", "0" + where);
-  parameters.require(
-    !scene.accuracy.estimate, "Accuracy", "Estimate", "false" + where);
-  parameters.require(scene.solver.cut_solve !=
-                       SolverParameters::CutSolve::condensed,
-                     "Division",
-                     "Solve",
-                     "auto or every row anew" + where);
+  check_newton(parameters, scene, where);
   parameters.require(!scene.output.calculix_decks,
                      "Output",
                      "CalculiX decks",
