@@ -51,8 +51,7 @@ NonlinearTravel<dim>::begin(CutBody<dim> &body,
     body, this->scene.blade.profile, from.displacement);
   BladeMotion motion = from.motion.value_or(BladeMotion());
   if (!from.motion)
-    motion.energy_at_rest =
-      from.potential_energy + from.plastic_energy + from.viscous_energy;
+    motion.energy_at_rest = energy_under_loads(from);
   here = Position{
     motion, contact->begin(row, n_ahead(body, row), motion, from.displacement)};
   // What small strain has stored otherwise, as far as the blade has come so.

@@ -281,7 +281,7 @@ Simulation<dim>::split_nodes()
   state.blade = body.blade_on_row(0);
 
   // A fully tied seam is the uncut body: what is solved stays in equilibrium.
-  const double unbalanced = unbalanced_part(body, state.blade, state);
+  const double unbalanced = unbalanced_part(body, state);
   std::ostringstream line;
   line.precision(2);
   line << "  seam of " << body.seam().n_double_pairs()

@@ -125,12 +125,10 @@ solve_state(CutBody<dim> &body,
 
 template <int dim>
 double
-unbalanced_part(const CutBody<dim> &body,
-                const BladeLoad<dim> &blade,
-                const State<dim> &state)
+unbalanced_part(const CutBody<dim> &body, const State<dim> &state)
 {
   LA::Vector forces = body.model().loads;
-  forces.add(state.load_factor, blade.nodal_forces);
+  forces.add(state.load_factor, state.blade.nodal_forces);
   forces -= state.internal;
   // A board may do to its nodes what it does, and walls that touch to each
   // other.
@@ -178,8 +176,7 @@ unbalanced_part(const CutBody<dim> &body,
                                   const LA::Vector &,                      \
                                   const std::optional<BoardLoad<dim>> &);  \
   template double energy_under_loads(const State<dim> &);                  \
-  template double unbalanced_part(                                         \
-    const CutBody<dim> &, const BladeLoad<dim> &, const State<dim> &);
+  template double unbalanced_part(const CutBody<dim> &, const State<dim> &);
 
 INSTANTIATE(2)
 INSTANTIATE(3)

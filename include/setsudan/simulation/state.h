@@ -101,7 +101,5 @@ energy_under_loads(const State<dim> &state);
  * the body's present constraints, relative to the internal forces. */
 template <int dim>
 double
-unbalanced_part(const CutBody<dim> &body,
-                const BladeLoad<dim> &blade,
-                const State<dim> &state);
+unbalanced_part(const CutBody<dim> &body, const State<dim> &state);
 } // namespace Setsudan
